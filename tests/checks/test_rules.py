@@ -10,7 +10,7 @@ from checks.test_of_rows import CASES, QUICK, random_pairs
 from judgement.test_advised import LESS, MORE, unevened
 from wraparc import Drive, solve
 from wraparc.checks import Check, judge, least_tension
-from wraparc.checks.judge import LOWERING, RAISING
+from wraparc.checks.judge import EVEN, LOWERING, RAISING
 from wraparc.checks.of_arc import EXIT_CREEP
 from wraparc.checks.rules import ACROSS_RULES, OF_PULLEY, RULES
 
@@ -68,7 +68,7 @@ def test_the_least_tension_asks_each_check_that_a_tension_decides(of: Drive) -> 
     asked = {figure.name: figure for figure in found.figures}
     for check in judge(solve(of, method=QUICK)).checks:
         rule = RULES.get(check.name, EXIT_CREEP)
-        compares = rule.tension and rule.value is not None and rule in OF_PULLEY
+        compares = rule.tension and (rule.result or rule.value) and rule in OF_PULLEY
         if not (compares and rule.binding and rule.firm is None) or check.limit != check.limit:
             continue
         if check.name == "tested_slip" and check.limit >= of.creep_limit:
@@ -80,3 +80,11 @@ def test_the_least_tension_asks_each_check_that_a_tension_decides(of: Drive) -> 
         (there,) = (c for c in at.checks if c.name == check.name)
         assert tension < 1.0 or there.value == pytest.approx(there.limit, rel=1e-9)
     assert asked.keys() <= {"gross_slip", "design_standard"}
+
+
+def test_what_a_strip_may_miss_is_checked_across_the_width() -> None:
+    """The even belt keeps a limit that the worst strip of an uneven one may miss."""
+    found = {rule.name for rule in OF_PULLEY if rule.result}
+    # of tests only their pressure is: a slip is never more than the creep of its strip
+    assert found - set(EVEN.values()) == {"tested_slip", "tested_slip_speed"}
+    assert set(EVEN) <= set(ACROSS_RULES)

@@ -172,7 +172,7 @@ def test_a_column_that_fails_is_no_verdict_on_the_drive(tmp_path: Path) -> None:
     """A bare pulley cannot carry this load; the drive as it is creeps too far, no more."""
     ran = wraparc("what-if", drive_file(tmp_path), "--bare", "CEMA")
     assert ran.code == 0
-    found = "ATTENTION Creep at the exit of pulley head, load case design: as it is 7."
+    found = "ATTENTION Creep at exit of pulley head, load case design: as it is 7."
     assert found in ran.words
     assert "FAILS  Creep" not in ran.out
 
@@ -196,7 +196,7 @@ def test_the_headline_says_what_else_than_creep_is_missed(tmp_path: Path) -> Non
     path.write_text(text.replace("[belt]", '[belt]\nrating = "90 kN/m"', 1), "utf-8")
     ran = wraparc("what-if", path, "--worn", "8 mm")
     assert ran.code == 1
-    assert "FAILS As it is: over belt rating. Creep at the exit of pulley head" in ran.words
+    assert "FAILS As it is: over belt rating. Creep at exit of pulley head" in ran.words
 
 
 def test_a_lagging_does_not_wear_thicker(tmp_path: Path) -> None:

@@ -12,6 +12,7 @@ from wraparc import Kind, Provenance
 from wraparc.catalogue import belts
 from wraparc.drive import Belt, Cost, Drive, Fit, Lagging, LoadCase, Pulley, Tensions
 from wraparc.files import load_lagging
+from wraparc.files.lagging_keys import LAGGING_FILE
 from wraparc.friction import (
     CoefficientPieces,
     Constant,
@@ -25,6 +26,7 @@ from wraparc.friction import (
     TestedRange,
     Trend,
 )
+from wraparc.schema.kinds import Text
 
 #: The example drives that one drive file alone describes.
 EXAMPLE_DRIVES = (
@@ -198,24 +200,30 @@ COSTS = st.builds(
     life_years=st.tuples(numbers(0.1, 5.0), numbers(5.0, 20.0)),
 )
 
+#: Texts and quantities of a lagging by their rows and limits: one that is added is tried at once.
+_OF_ROWS: dict[str, st.SearchStrategy[object]] = {
+    entry.attribute: TEXTS for entry in LAGGING_FILE.entries if isinstance(entry.kind, Text)
+} | {
+    key: st.none() | numbers(limit.least or 1e-12, min(limit.most, 1e9))
+    for key, limit in Lagging.LIMITS.items()
+}
 LAGGINGS = st.builds(
     Lagging,
-    name=NAMES,
-    law=LAWS,
-    thickness=st.just(0.0) | numbers(1e-3, 0.05),
-    shear_modulus=st.just(math.inf) | numbers(1e5, 1e8),
-    compression_modulus=st.just(math.inf) | numbers(1e5, 1e8),
-    title=TEXTS,
-    condition=NAMES,
-    surface=st.sampled_from(["", "rubber", "ceramic"]),
-    elastic_modulus=st.none() | numbers(1e6, 1e8),
-    wear_coefficient=st.none() | numbers(0.0, 1e-9),
-    cost=st.none() | COSTS,
-    fit=st.none() | FITS,
-    provenance=PROVENANCES,
-    sources=sources("law", "thickness", "shear_modulus", "block"),
-    notes=st.lists(TEXTS, max_size=2).map(tuple),
-    description=TEXTS,
+    **_OF_ROWS
+    | {
+        "name": NAMES,
+        "law": LAWS,
+        "thickness": st.just(0.0) | numbers(1e-3, 0.05),
+        "shear_modulus": st.just(math.inf) | numbers(1e5, 1e8),
+        "compression_modulus": st.just(math.inf) | numbers(1e5, 1e8),
+        "condition": NAMES,
+        "surface": st.sampled_from(["", "rubber", "ceramic"]),
+        "cost": st.none() | COSTS,
+        "fit": st.none() | FITS,
+        "provenance": PROVENANCES,
+        "sources": sources("law", "thickness", "shear_modulus", "block"),
+        "notes": st.lists(TEXTS, max_size=2).map(tuple),
+    },
 )
 
 OWN_BELTS = st.builds(

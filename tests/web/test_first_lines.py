@@ -56,6 +56,14 @@ def new(visitor: Visitor, units: str = "SI", size: ViewportSize = SCREEN) -> Pag
     return page
 
 
+def test_a_new_drive_asked_for_again_has_the_keys_in_its_first_box(visitor: Visitor) -> None:
+    new(visitor)
+    visitor.page.keyboard.type("1")
+    new(visitor)
+    expect(visitor.page.locator("#s-pulley-0-entry_tension")).to_have_value("")
+    new(visitor)
+
+
 def typed(visitor: Visitor, entry: str, exit_: str, units: str = "SI") -> Page:
     page = new(visitor, units)
     page.keyboard.type(entry)

@@ -2,6 +2,8 @@
 
 import json
 import subprocess
+import sys
+from collections import Counter
 from dataclasses import dataclass, replace
 from enum import StrEnum
 from functools import cached_property
@@ -161,6 +163,21 @@ def head_and_rest(text: str) -> list[str]:
     return text.split(":", 1)
 
 
+def called_from(name: str, text: str) -> str:
+    ways = {"head": first_head, "same": first_head}
+    return ways[name](text)
+
+
+def first_head(text: str) -> str:
+    return text.partition(":")[0]
+
+
+def test_a_function_out_of_a_table_is_called_and_not_the_table() -> None:
+    module = whole.Module(__name__.partition(".")[0], {})
+    module.export("f", called_from)
+    assert "$at(ways, name)(text)" in module.text()
+
+
 @pytest.mark.parametrize("function", [first_only, head_and_rest], ids=lambda f: f.__name__)
 def test_an_argument_that_javascript_would_drop_is_refused(function: FunctionType) -> None:
     module = whole.Module(__name__.partition(".")[0], {})
@@ -177,6 +194,33 @@ def new(x: float, y: float) -> Pair:
             continue
         low += exp(-high) // 1
     return Pair(high=log(2.0), low=low + high)
+
+
+@dataclass(frozen=True)
+class Key:
+    name: str
+    ends: tuple[float, float]
+
+
+KEYS = (Key("width", (0.1, 5.0)), Key("speed", (0.0, 20.0)), Key("modulus", (0.1, 5.0)))
+
+
+def key(place: int) -> str:
+    return KEYS[place].name + str(KEYS[place].ends)
+
+
+def test_a_row_that_comes_to_a_table_changes_its_own_lines(monkeypatch: pytest.MonkeyPatch) -> None:
+    def lines() -> list[str]:
+        module = whole.Module(__name__.partition(".")[0], {})
+        module.export("key", key)
+        return module.text().splitlines()
+
+    before = lines()
+    monkeypatch.setattr(sys.modules[__name__], "KEYS", (Key("mass", (0.3, 7.0)), *KEYS))
+    after = lines()
+    # the row, its ends, the table
+    assert len(after) == len(before) + 2
+    assert len([*Counter(after) - Counter(before)]) == 3
 
 
 def test_what_a_translation_reads_like() -> None:

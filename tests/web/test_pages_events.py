@@ -43,6 +43,20 @@ def opened(visitor: Visitor, text: str, folder: Path) -> Page:
     return page
 
 
+def test_a_wrong_mass_is_refused_under_its_field_before_anything_runs(
+    visitor: Visitor, tmp_path: Path
+) -> None:
+    page = opened(visitor, short(), tmp_path)
+    mass, error = page.locator("#e-motion-conveyor_mass"), "#e-motion-conveyor_mass-e"
+    mass.fill("-3 t")
+    mass.press("Tab")
+    expect(page.locator(error)).to_contain_text("must be more than 0 kg")
+    expect(mass).to_have_attribute("aria-invalid", "true")
+    mass.fill("120 t")
+    mass.press("Tab")
+    expect(page.locator(error)).to_have_text("")
+
+
 def test_a_start_of_a_shipped_tandem_plays(visitor: Visitor, tmp_path: Path) -> None:
     page = opened(visitor, with_layers(short()), tmp_path)
     page.emulate_media(reduced_motion="no-preference")
@@ -107,9 +121,10 @@ def test_what_is_missing_is_told_at_its_field_and_can_be_filled_in(visitor: Visi
     # an answer of the drive that comes after it takes nothing of it away
     wait_for(lambda: page.evaluate("1") and held)
     page.route("**/solve/fast", lambda route: route.continue_())
-    for route in held:
-        route.continue_()
-    page.wait_for_selector("html:not(.stale)")
+    with page.expect_response("**/solve/fast"):
+        for route in held:
+            route.continue_()
+    visitor.painted()
     assert reset.inner_text() == "Still needed."
     page.fill(field, "2300")  # two changes of one field within a second undo as one
     page.select_option("#e-motion-drum-head-control-kind", "")

@@ -300,7 +300,7 @@ def spread(**more: Any) -> dict[str, Any]:
     told = {
         "result": "exit_creep", "where": "", "edges": [1e-3 * i for i in range(9)],
         "counts": [1, 2, 4, 8, 8, 4, 2, 1], "limit": 5.5e-3, "at_most": True, "beyond": 0.1,
-        "without": 0, "told": "told",
+        "limit_told": "creep limit 5.5 mm", "without": 0, "told": "told",
     }  # fmt: skip
     return {"kind": "spread", "width": 600, "spread": told | more}
 

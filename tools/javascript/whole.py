@@ -12,11 +12,13 @@ import ast
 import builtins
 import dataclasses
 import enum
+import hashlib
 import importlib
 import inspect
 import itertools
 import math
 import re
+import sys
 import textwrap
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -29,6 +31,8 @@ from weakref import WeakKeyDictionary
 from javascript.names import Refused, Where, is_named_tuple, literal, local
 
 _ABSENT = object()
+#: The name of a constant in the making.
+_CONSTANT = re.compile(r"\$c\d+\b")
 _BUILT_IN = {
     **{getattr(builtins, name): name for name in (
         "len", "isinstance", "str", "repr", "int", "float", "bool", "list", "tuple", "set", "any",
@@ -269,7 +273,46 @@ class Module:
         constants = [f"const {name} = {text};" for name, text in self._lines.items()]
         named = [f"export {{ {text} as {name} }};" for name, text in exports.items()]
         functions = [text for _, text in self._functions.values()]
-        return "\n".join([*functions, *classes, *constants, *statics, *named, ""])
+        text = "\n".join([*functions, *classes, *constants, *statics, *named, ""])
+        names = self._lasting()
+        return _CONSTANT.sub(lambda found: names[found[0]], text)
+
+    def _lasting(self) -> dict[str, str]:
+        """Return names of constants by what they are, in the place of their numbers.
+
+        One is called by the global that it is, or by its place in one, so that a row that comes to
+        a table changes no other's name.
+        """
+        translated = [*self.classes.values(), *(of for of, _ in self._functions.values())]
+        known = {
+            id(value): f"{module}.{name}"
+            for module in sorted({of.__module__ for of in translated}, reverse=True)
+            for name, value in vars(sys.modules[module]).items()
+        } | {id(names): " ".join(names) for names in self._alike.values()}
+        places = {n: known[id(v)] for n, v in self._constants.values() if id(v) in known}
+        within = {inner for text in self._lines.values() for inner in _CONSTANT.findall(text)}
+
+        def put_parts(of: str) -> None:
+            alike = Counter[str]()
+            for inner in _CONSTANT.findall(self._lines[of]):
+                plain = _CONSTANT.sub("", self._lines[inner])
+                label = next(iter(re.findall(r'"[^"]*"', plain)), plain[:9])
+                alike[label] += 1
+                if inner not in places:
+                    places[inner] = f"{places[of]}/{label}{alike[label]}"
+                    put_parts(inner)
+
+        for name in [*places]:
+            put_parts(name)
+        for name in [n for n in self._lines if n not in within and n not in places]:
+            places[name] = _CONSTANT.sub("", self._lines[name])
+            put_parts(name)
+        lasting: dict[str, str] = {}
+        for name, place in places.items():
+            told = hashlib.sha256(place.encode()).hexdigest()
+            size = next(n for n in range(4, 64) if f"$c{told[:n]}" not in lasting)
+            lasting[f"$c{told[:size]}"] = name
+        return {name: called for called, name in lasting.items()}
 
     def _size(self) -> int:
         found: tuple[Any, ...] = (self.classes, self._functions, self._methods, self._constants)
@@ -281,7 +324,7 @@ class Module:
             return
         done.add(id(value))
         text = self._written(value, Where(name, 0))
-        for inner in re.findall(r"\$c\d+", text):
+        for inner in _CONSTANT.findall(text):
             known = next((v for n, v in self._constants.values() if n == inner), None)
             self._emit(inner, known, lines, done)
         lines[name] = text
@@ -803,8 +846,8 @@ class Function:
     # calls
 
     def _call(self, node: ast.Call) -> str:
-        if isinstance(node.func, ast.Subscript):  # list[Problem]()
-            node.func = node.func.value
+        if isinstance(node.func, ast.Subscript) and isinstance(self.value(node.func.value), type):
+            node.func = node.func.value  # list[Problem]()
         called = self.value(node.func)
         special = self._special(node, called)
         if special:

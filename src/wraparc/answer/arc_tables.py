@@ -43,9 +43,8 @@ def answer_table(results: Results) -> Table:
         return row_of(name, *values, note=note, level=level)
 
     first = results[0]
-    limit = first.arc.creep_limit
-    share = f"{percent(abs(first.exit_creep) / limit)} of the limit"
-    notes = [f"{share}, {named('creep_limit', limit)}"]
+    share = f"{percent(first.share_of_limit)} of the limit"
+    notes = [f"{share}, {named('creep_limit', first.arc.creep_limit)}"]
     notes += ["negative: with the belt"] if first.exit_creep < 0.0 else []
     notes += [told] if (told := creep_interval_text(first)) else []
     level, sides = _creep_level(first), {r.within_creep_limit for r in results if r.status.solved}

@@ -9,12 +9,14 @@ from wraparc.answer.input_tables import input_rows
 from wraparc.answer.inputs import lagging_inputs
 from wraparc.answer.sheet import NONE, Row, Sheet, Table, named, number, quantity
 from wraparc.answer.sources import Sources
-from wraparc.drive import Fit, Lagging
+from wraparc.drive import CREEP_LIMIT, Fit, Lagging
 from wraparc.friction import CoefficientPieces, FrictionLaw, IntegralLog, PressureKnots
 from wraparc.glossary import GLOSSARY
 from wraparc.provenance import Kind
 from wraparc.units import System, display, display_unit, either, in_unit, unit_of
 
+#: Wrap pressure that one friction tells a lagging by [Pa], 30 psi; the slip is the creep limit.
+_AT = 207e3
 #: Slips of the friction table [m], in steps that read well in their system.
 _SLIPS: dict[System, tuple[float, ...]] = {"si": (0.5e-3, 1e-3, 2e-3, 4e-3, 6e-3, 10e-3, 15e-3),
           "us": tuple(i * 0.0254 for i in (0.02, 0.04, 0.08, 0.16, 0.25, 0.4, 0.6))}  # fmt: skip
@@ -31,13 +33,13 @@ def laggings_sheet(laggings: Sequence[Lagging]) -> Sheet:
                 lagging.condition,
                 lagging.surface or NONE,
                 named("lagging_thickness", lagging.thickness),
-                f"{float(lagging.law.friction(6.35e-3, 207e3)):.2f}",
+                f"{float(lagging.law.friction(CREEP_LIMIT, _AT)):.2f}",
             ),
             note=of.note(lagging.provenance),
         )
         for lagging in laggings
     )
-    pressure, slip = named("wrap_pressure", 207e3), named("slip", 6.35e-3)
+    pressure, slip = named("wrap_pressure", _AT), named("slip", CREEP_LIMIT)
     heads = ("condition", "surface", "thickness", "friction")
     table = Table("Laggings", rows, heads, f"Friction at {pressure} and a slip of {slip}.")
     remarks = (

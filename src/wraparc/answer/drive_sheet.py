@@ -252,13 +252,13 @@ def loads_table(result: DriveResult) -> Table:
 
 
 def _summary_values(of: DriveResult, result: ArcResult) -> tuple[str, ...]:
-    arc, creep = result.arc, result.exit_creep
+    arc = result.arc
     return (
         number("entry_tension", arc.entry_tension),
         number("exit_tension", arc.exit_tension),
         number("tension_ratio", arc.entry_tension / arc.exit_tension),
-        number("exit_creep", creep),
-        percent(abs(creep) / arc.creep_limit),
+        number("exit_creep", result.exit_creep),
+        percent(result.share_of_limit),
         _least(of, result),
     )
 

@@ -45,7 +45,7 @@ def _values(of: DriveResult, result: ArcResult) -> tuple[str, ...]:
     arc, solved = result.arc, result.status.solved
     texts = (
         number("exit_creep", result.exit_creep),
-        percent(abs(result.exit_creep) / arc.creep_limit),
+        percent(result.share_of_limit),
         number("exit_slip", result.exit_slip),
         number("peak_shear_angle", result.peak_shear_angle),
     )

@@ -9,7 +9,7 @@ from typing import Any
 
 from wraparc.alike import largest, least
 from wraparc.answer.checks_table import check_table
-from wraparc.answer.sheet import NONE, Row, Sheet, Table, Verdict, named, percent, quantity
+from wraparc.answer.sheet import NONE, Row, Sheet, Table, Verdict, named, percent, quantity, term
 from wraparc.answer.words import in_words, told_twice, under
 from wraparc.checks import Level, judge, judge_run
 from wraparc.checks.of_run import otherwise
@@ -141,7 +141,7 @@ def _drum_table(run: RunResult) -> Table:
     rows = [
         largest("Largest pull", "pull", "force"),
         largest("Largest torque", "torque", "torque"),
-        largest("Largest creep at exit", "creep", "length"),
+        largest(f"Largest {term('exit_creep').title.lower()}", "creep", "length"),
         largest("Largest slip", "slip", "length"),
         largest("Largest shear stress", "shear", "pressure"),
         row("Share at the end", [percent(float(d.share[-1])) for d in drums]),

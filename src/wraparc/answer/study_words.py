@@ -10,7 +10,7 @@ from wraparc.answer.sheet import Row, Table, Verdict, named, percent, quantity, 
 from wraparc.checks import RULES, Level
 from wraparc.glossary import GLOSSARY
 from wraparc.study.fields import names_of
-from wraparc.study.histogram import Histogram, Limit
+from wraparc.study.histogram import LEAST, LIMITED, Histogram, Limit
 from wraparc.study.monte_carlo import Group, Summary
 from wraparc.units import Dimension, distinct, in_units
 
@@ -27,13 +27,8 @@ _ENDS = (
     (Level.OK, "keep every check that is made"),
 )
 #: What the limit of a result is called.
-_LIMITS = {
-    "exit_creep": RULES["creep"].what,
-    "entry_tension": RULES["belt_tension"].what,
-    "peak_shear_stress": RULES["bond_stress"].what,
-    "creep_limit_margin": "the margin",
-    "tested_slip_margin": "the margin",
-    "gross_slip_margin": "the margin",
+LIMITS = dict.fromkeys(LEAST, "the margin") | {
+    name: rules[0].what for name, rules in LIMITED.items()
 }
 
 
@@ -144,7 +139,7 @@ def _exceed(name: str, count: int, total: int, what: str, limit: Limit) -> str:
     verb = "exceed" if limit.at_most else "fall short of"
     if not count:
         verb = "exceeds" if limit.at_most else "falls short of"
-    words = _LIMITS[name]
+    words = LIMITS[name]
     if not math.isnan(limit.least):
         ends = distinct(named(name, v) for v in (limit.least, limit.most))
         words += f" of {' to '.join(ends)}"

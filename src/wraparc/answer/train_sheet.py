@@ -203,7 +203,7 @@ def _creep_row(case: CaseResult) -> Row:
     texts = []
     for m in case.members:
         creep = m.arc.exit_creep
-        part = f" ({percent(abs(creep) / m.arc.arc.creep_limit)})"
+        part = f" ({percent(m.arc.share_of_limit)})"
         texts.append(f"{named('exit_creep', creep)}{'' if isnan(creep) else part}")
     over = any(not m.arc.within_creep_limit for m in case.members)
     entry = term("exit_creep")

@@ -265,9 +265,8 @@ def _largest_creep(case: CaseResult) -> tuple[float, float]:
     """Largest creep of the drums over its limit [-], and that creep, whichever way it pulls [m]."""
     share, most = 0.0, 0.0
     for member in case.members:
-        creep = abs(member.arc.exit_creep)
-        if creep / member.arc.arc.creep_limit > share:
-            share, most = creep / member.arc.arc.creep_limit, creep
+        if member.arc.share_of_limit > share:
+            share, most = member.arc.share_of_limit, abs(member.arc.exit_creep)
     return share, most
 
 

@@ -136,7 +136,7 @@ def _headline(found: WhatIf) -> str:
     drive = found.drives[0].drive
     if len(drive.pulleys) > 1 or len(drive.load_cases) > 1:
         of = f" of pulley {found.pulley}, load case {found.load_case}"
-    return f"{why}Creep at the exit{of}: as it is {before}; {'; '.join(parts)}."
+    return f"{why}{GLOSSARY['exit_creep'].title}{of}: as it is {before}; {'; '.join(parts)}."
 
 
 def _worse(found: WhatIf, whole: Whole) -> str:

@@ -76,7 +76,7 @@ class DriveResult(Viewable):
             if result.status is Status.BREAKAWAY:
                 margin = result.capacities.gross_slip_margin
                 return 1.0, -margin if math.isfinite(margin) else 0.0
-            return 0.0, abs(result.exit_creep) / result.arc.creep_limit
+            return 0.0, result.share_of_limit
 
         worst = max(severity(result)[0] for result in self.arcs)
         return largest(

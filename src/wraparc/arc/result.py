@@ -22,13 +22,17 @@ from wraparc.views import Viewable
 nan = math.nan
 
 
+#: What helps a drive that slips, at the end of what else does.
+MORE_FRICTION = "choose a lagging with more friction."
+
+
 class Status(StrEnum):
     """How a solve ended: the value is the sentence the user reads, with its remedy."""
 
     SOLVED = "The pulley carries its load."
     BREAKAWAY = (
         "Breakaway: no creep makes enough friction for this tension ratio. Raise the slack-side "
-        "tension (take-up), enlarge the wrap angle, or choose a lagging with more friction."
+        f"tension (take-up), enlarge the wrap angle, or {MORE_FRICTION}"
     )
     UNSOLVED = (
         "The solver did not reach its accuracy on this arc. Please report the drive file; until "
@@ -296,6 +300,11 @@ class ArcResult(Viewable):
     def extrapolates(self) -> bool:
         """Whether part of the arc is outside what was tested; 1e-9 of it is rounding."""
         return self.outside_tested_share > 1e-9
+
+    @property
+    def share_of_limit(self) -> float:
+        """Magnitude of the exit creep over the creep limit [-]."""
+        return abs(self.exit_creep) / self.arc.creep_limit
 
     @property
     def within_creep_limit(self) -> bool:

@@ -14,7 +14,7 @@ from wraparc.checks.gross_slip import wet
 from wraparc.checks.least_tension import LeastTension, least_tension
 from wraparc.checks.numbers import kept
 from wraparc.checks.rule import idle, not_checked
-from wraparc.checks.rules import ACROSS_RULES, OF_PULLEY, RULES
+from wraparc.checks.rules import ACROSS_RULES, OF_PULLEY, RULES, spot_of
 from wraparc.checks.usual import Owner, owners_of, usual_sizes
 from wraparc.drive import Drive, LoadCase
 from wraparc.train import Pulls, Train, TrainResult
@@ -120,8 +120,8 @@ def before(described: Drive | Train) -> Verdict:
         there = drive.in_case(case)
         ends = (there.pulleys[0], there.pulleys[-1])
         for pulley in ends if case.name in divided else there.pulleys:
-            spot = of_arc.spot_of(there, case, pulley)
-            rules = (rule for rule in OF_PULLEY if not (rule.of_solution or rule.pulls))
+            spot = spot_of(there, case, pulley)
+            rules = (rule for rule in OF_PULLEY if not rule.pulls)
             checks += (check for rule in rules for check in rule.checks(spot))
     return Verdict(tuple(checks))
 
@@ -129,7 +129,7 @@ def before(described: Drive | Train) -> Verdict:
 def diameters(drive: Drive) -> Iterator[Check]:
     """Yield whether each pulley is as large as its belt asks for."""
     for pulley in drive.pulleys:
-        spot = of_arc.spot_of(drive, drive.load_cases[0], pulley)
+        spot = spot_of(drive, drive.load_cases[0], pulley)
         yield from of_drive.PULLEY_DIAMETER.checks(replace(spot, place=Place(pulley.name)))
 
 
@@ -164,7 +164,7 @@ def _case(drive: Drive, case: LoadCase, arcs: list[ArcResult]) -> Iterator[Check
     for index, result in enumerate(arcs):
         pulley = drive.pulley(result.arc.pulley)
         yield of_arc.grip(drive, case, arcs, index)
-        spot = of_arc.spot_of(drive, case, pulley, result)
+        spot = spot_of(drive, case, pulley, result)
         for rule in OF_PULLEY:
             yield from rule.checks(spot)
         if all(idle(arc.arc) for arc in arcs) or (result.arc.side < 0.0 and not idle(result.arc)):

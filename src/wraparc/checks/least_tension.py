@@ -15,9 +15,9 @@ from wraparc.checks.check import Level, Place
 from wraparc.checks.design_standard import asked
 from wraparc.checks.gross_slip import lift, rises
 from wraparc.checks.least_numbers import Pull, least_for_slip
-from wraparc.checks.of_arc import design_slack, spot_of
+from wraparc.checks.of_arc import design_slack
 from wraparc.checks.rule import Rule, Spot, idle
-from wraparc.checks.rules import OF_PULLEY
+from wraparc.checks.rules import OF_PULLEY, spot_of
 from wraparc.conveyor import Conveyor
 from wraparc.drive import Drive, LoadCase
 from wraparc.train import TrainResult
@@ -219,7 +219,7 @@ def _of_tension(rule: Rule, of: Spot, end: float) -> Iterator[Figure]:
     The safety factor of a belt, its tension the other way round, asks for what its rating does.
     """
     words, value = rule.words and rule.words(of), rule.value
-    asks = rule.tension and rule.firm is None and not rule.of_solution
+    asks = rule.tension and rule.firm is None
     if not asks or value is None or words is None or words.missing:
         return
     more, least = of.state.width * 1e3, rule.tension == "raise"

@@ -18,8 +18,8 @@ from wraparc.checks.numbers import asked_slack, balance_miss, idles, steepest
 from wraparc.checks.of_drive import MORE_CREEP, tests_of
 from wraparc.checks.rule import At, Rule, Spot, State, Words, idle, not_checked, origin
 from wraparc.checks.sliding import CREEP, MOST, NOT_CARRIED, SLIDES, TESTED, Sliding
-from wraparc.drive import CREEP_LIMIT, Criteria, Drive, LoadCase, Pulley, TakeUp
-from wraparc.drive.pitch import centrifugal_of, turns_an_hour
+from wraparc.drive import CREEP_LIMIT, Criteria, Drive, LoadCase, TakeUp
+from wraparc.drive.pitch import turns_an_hour
 from wraparc.units import Dimension
 
 #: Largest miss of the energy balance that a solution is trusted with [-]; the usual mesh misses by
@@ -179,10 +179,6 @@ DESIGN_STANDARD = Rule(
 )  # fmt: skip
 
 
-def _creep(state: State[Number]) -> Number:
-    return state.creep
-
-
 def _creep_limit(_: Number, state: State[Number]) -> Number:
     return state.creep_limit
 
@@ -211,7 +207,7 @@ def _creeps(of: Spot) -> Words:
 
 EXIT_CREEP = Rule(
     "creep", "the creep limit", fails_beyond=SLIDES, tolerates=2.0 * CREEP_LIMIT,
-    dimension="length", tension="raise", of_solution=True, value=_creep, limit=_creep_limit,
+    dimension="length", tension="raise", result="exit_creep", limit=_creep_limit,
     of_runs=False, words=_creeps,
 )  # fmt: skip
 #: Of a law that does not say what its slip includes, on a belt with a cover.
@@ -242,7 +238,7 @@ def _cover_creep(of: Spot) -> Iterator[Check]:
 
 COVER_CREEP = Rule(
     "cover_creep", "the creep limit, with the cover of the belt in series", dimension="length",
-    tension="raise", binding=False, of_solution=True, of_runs=False, asked=_cover_creep,
+    tension="raise", binding=False, of_runs=False, asked=_cover_creep,
 )  # fmt: skip
 
 
@@ -273,7 +269,7 @@ def creep_interval(of: Spot) -> Iterator[Check]:
 
 CREEP_INTERVAL = Rule(
     "creep_interval", "the creep limit, at the end of the interval of the law",
-    dimension="length", tension="raise", binding=False, of_solution=True, of_rows=False,
+    dimension="length", tension="raise", binding=False, of_rows=False,
     of_runs=False, asked=creep_interval,
 )  # fmt: skip
 OF_GRIP = (DESIGN_STANDARD, EXIT_CREEP, COVER_CREEP, CREEP_INTERVAL)
@@ -303,10 +299,6 @@ def _qualifies(drive: Drive, limit: float) -> str:
     )
 
 
-def _shear(state: State[Number]) -> Number:
-    return state.shear
-
-
 def _bond_strength(of: At) -> float | None:
     return of.pulley.lagging.bond_strength
 
@@ -320,8 +312,8 @@ def _bond(of: Spot) -> Words:
 
 
 BOND_STRESS = Rule(
-    "bond_stress", "the bond strength of the lagging", dimension="pressure", of_solution=True,
-    value=_shear, allowed=_bond_strength, words=_bond,
+    "bond_stress", "the bond strength of the lagging", dimension="pressure",
+    result="peak_shear_stress", allowed=_bond_strength, words=_bond,
 )  # fmt: skip
 
 
@@ -342,8 +334,8 @@ def _tires(of: Spot) -> Words:
 
 
 FATIGUE_STRESS = Rule(
-    "fatigue_stress", "the fatigue limit of the lagging", dimension="pressure", of_solution=True,
-    value=_shear, allowed=_fatigue_limit, of_runs=False, words=_tires,
+    "fatigue_stress", "the fatigue limit of the lagging", dimension="pressure",
+    result="peak_shear_stress", allowed=_fatigue_limit, of_runs=False, words=_tires,
 )  # fmt: skip
 OF_LAGGING = (BOND_STRESS, FATIGUE_STRESS)
 
@@ -360,10 +352,6 @@ def _of_stress(of: Spot, key: str, title: str, short: str, says: str) -> Words:
         says=says,
         remedy="Choose a lagging with a stronger bond, a larger pulley, or less pull.",
     )
-
-
-def _slip(state: State[Number]) -> Number:
-    return state.slip
 
 
 def _slip_max(of: At) -> float | None:
@@ -387,12 +375,8 @@ def _slips(of: Spot) -> Words | None:
 
 TESTED_SLIP = Rule(
     "tested_slip", "the largest slip tested", dimension="length", tension="raise",
-    of_solution=True, value=_slip, allowed=_slip_max, words=_slips,
+    result="largest_slip", allowed=_slip_max, words=_slips,
 )  # fmt: skip
-
-
-def _slip_speed(state: State[Number]) -> Number:
-    return state.slip_speed
 
 
 def _tested_speed(of: At) -> float | None:
@@ -407,7 +391,7 @@ def _slips_fast(of: Spot) -> Words | None:
     if tested.slip_speed is None:
         why = "the friction law does not say at which speed it was tested"
         return Words(title=title, missing=why, told=True)
-    if of.drive.belt.speed is None or (math.isnan(of.state.slip_speed) and not of.unknown):
+    if of.drive.belt.speed is None or math.isnan(of.state.found.get("slip_speed", 0.0)):
         return Words(title=title, missing="the belt speed is not given")
     return Words(
         title=title,
@@ -422,7 +406,7 @@ def _slips_fast(of: Spot) -> Words | None:
 
 TESTED_SLIP_SPEED = Rule(
     "tested_slip_speed", "the slip speed tested", dimension="speed", binding=False,
-    of_solution=True, value=_slip_speed, allowed=_tested_speed, words=_slips_fast,
+    result="slip_speed", allowed=_tested_speed, words=_slips_fast,
 )  # fmt: skip
 
 
@@ -465,39 +449,3 @@ ENERGY_BALANCE = Rule(
     of_runs=False, asked=_balance,
 )  # fmt: skip
 OF_SLIP = (TESTED_SLIP, TESTED_SLIP_SPEED, ENERGY_BALANCE)
-
-
-def spot_of(drive: Drive, case: LoadCase, pulley: Pulley, result: ArcResult | None = None) -> Spot:
-    """Return a pulley in a load case as its checks are asked, with its arc if that is solved."""
-    tensions, belt = case.tensions[pulley.name], drive.belt
-    known = result is not None and result.status.solved
-    creep = slip = speed = shear = math.nan
-    if result is not None and known:
-        creep, shear = abs(result.exit_creep), result.peak_shear_stress
-        slip, speed = largest_slip(result), slip_speed(result)
-    first, last = drive.pulleys[0], drive.pulleys[-1]
-    driving = case.tensions[first.name].entry >= case.tensions[last.name].exit
-    slack = last if driving else first
-    return Spot(
-        drive=drive,
-        case=case,
-        pulley=pulley,
-        place=Place(pulley.name, case.name),
-        state=State(
-            tight=max(tensions.entry, tensions.exit),
-            slack=min(tensions.entry, tensions.exit),
-            slack_end=drive.slack_end(case) if pulley.name == slack.name else math.nan,
-            width=belt.width,
-            diameter=pulley.diameter,
-            strength=math.nan if belt.breaking_strength is None else belt.breaking_strength,
-            centrifugal=centrifugal_of(belt),
-            creep_limit=drive.creep_limit_of(pulley),
-            creep=creep,
-            slip=slip,
-            slip_speed=speed,
-            shear=shear,
-            motor=math.nan,
-        ),
-        result=result,
-        unknown="" if result is None or known else no_state(result),
-    )

@@ -31,7 +31,7 @@ from wraparc.checks.of_data import CONDITION, FIT
 from wraparc.checks.of_drive import BELT_THICKNESS, open_shift
 from wraparc.checks.of_train import OF_MOTORS
 from wraparc.checks.rule import At, Rule, State
-from wraparc.checks.rules import ACROSS_CHECKS, RULES
+from wraparc.checks.rules import ACROSS_CHECKS, RESULTS, RULES
 from wraparc.checks.sliding import CREEP, NOT_CARRIED, TESTED
 from wraparc.checks.sliding_rows import LoadedRows, pulls_at_sliding
 from wraparc.checks.usual import USUAL_RULE, least_margin, sizes_of
@@ -122,7 +122,11 @@ class Held:
             if isinstance(value, Mapping):
                 yield from (value[name] for name in sorted(value.keys() - motors))
             elif isinstance(value, State):
-                yield from (getattr(value, f.name) for f in fields(value) if f.name != "motor")
+                yield from (
+                    getattr(value, f.name)
+                    for f in fields(value)
+                    if f.name not in ("motor", "found")
+                )
             else:
                 yield from value if isinstance(value, Sizes) else (value,)
 
@@ -237,11 +241,8 @@ def _state(arcs: Arcs, strength: Array, slack_end: Array) -> State[Array]:
         strength=strength,
         centrifugal=arcs.centrifugal_force,
         creep_limit=arcs.creep_limit,
-        creep=none,
-        slip=none,
-        slip_speed=none,
-        shear=none,
         motor=none,
+        found={},
     )
 
 
@@ -268,8 +269,9 @@ def _sizes(every: Sequence[At], which: Integers, arcs: Arcs, *, alone: bool) -> 
 
 
 def _row(state: State[Array], which: Any) -> State[Any]:
-    """Return some rows of a state, or one as plain numbers."""
-    return State(**{f.name: getattr(state, f.name)[which] for f in fields(state)})
+    """Return some rows of a state that is not solved, or one as plain numbers."""
+    numbers = (f.name for f in fields(state) if f.name != "found")
+    return State(**{name: getattr(state, name)[which] for name in numbers}, found={})
 
 
 def _open_trims(
@@ -356,13 +358,9 @@ def _checks(
     arcs, n = solved.arcs, len(solved.arcs)
     none = np.full(n, math.nan)
     idle = _idle(arcs.entry_tension, arcs.exit_tension)
-    state = replace(
-        held.state,
-        creep=np.abs(solved["exit_creep"]),
-        slip=solved.largest_slip,
-        slip_speed=solved.slip_speed,
-        shear=solved["peak_shear_stress"],
-    )
+    of_course = {"largest_slip": solved.largest_slip, "slip_speed": solved.slip_speed}
+    found = {n: of_course[n] if n in of_course else np.abs(solved[n]) for n in RESULTS}
+    state = replace(held.state, found=found)
     flags = {CONDITION: held.scaled, FIT: held.misfit, BELT_THICKNESS: held.open_trim}
     for rule in _OF_ROWS:
         if rule is GROSS_SLIP:
@@ -384,9 +382,9 @@ def _checks(
                 np.where(flags[rule], rule.missed.rank, 0),
                 np.full(len(arcs), math.inf),
             )
-        elif rule.value is not None:
-            value, limit = rule.value(state), held.limit(rule)
-            there = ~np.isnan(value) & (solved.solved | (not rule.of_solution))
+        elif rule.result or rule.value is not None:
+            value, limit = rule.compared(state), held.limit(rule)
+            there = ~np.isnan(value) & (solved.solved | (not rule.result))
             limit = np.where(there & ~(idle & rule.pulls), limit, none)
             yield rule.name, *_compared(rule, held, _rounded(rule, value, limit, state), limit)
 

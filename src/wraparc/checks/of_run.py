@@ -17,10 +17,10 @@ from wraparc.checks import of_data, of_drive
 from wraparc.checks.check import Check, Level, Place, Verdict
 from wraparc.checks.judge import diameters, sound
 from wraparc.checks.numbers import usual
-from wraparc.checks.of_arc import EXIT_CREEP, GROSS_SLIP, spot_of
+from wraparc.checks.of_arc import EXIT_CREEP, GROSS_SLIP
 from wraparc.checks.of_train import MOTOR_HEAT, motor_load
 from wraparc.checks.rule import Spot, Words, not_checked, origin
-from wraparc.checks.rules import OF_PULLEY
+from wraparc.checks.rules import OF_PULLEY, spot_of
 from wraparc.checks.sliding import SLIDES
 from wraparc.checks.usual import Ends, Owner, owners_of, unusual, usual_sizes
 from wraparc.conveyor import GRAVITY
@@ -153,15 +153,15 @@ def _spot(
     drive: Drive, case: LoadCase, pulley: Pulley, drum: DrumHistory, slackest: tuple[float, str]
 ) -> Spot:
     """Return a pulley at the extremes that it came to."""
-    spot, found = spot_of(drive, case, pulley), drum.extremes
-    state = replace(
-        spot.state,
-        slack_end=slackest[0] if pulley.name == slackest[1] else math.nan,
-        creep=found.creep.value,
-        slip=found.slip.value,
-        slip_speed=found.slip_speed.value,
-        shear=found.shear.value,
-    )
+    spot, most = spot_of(drive, case, pulley), drum.extremes
+    found = {
+        "exit_creep": most.creep.value,
+        "largest_slip": most.slip.value,
+        "slip_speed": most.slip_speed.value,
+        "peak_shear_stress": most.shear.value,
+    }
+    slack_end = slackest[0] if pulley.name == slackest[1] else math.nan
+    state = replace(spot.state, slack_end=slack_end, found=found)
     return replace(spot, place=Place(pulley.name, event=case.name), state=state)
 
 

@@ -37,14 +37,10 @@ class State(Generic[Number]):
         m v^2 [N].
     creep_limit
         Creep that is accepted [m].
-    creep, slip
-        Magnitude of the creep at the exit, and of the largest slip [m].
-    slip_speed
-        Largest of it [m/s].
-    shear
-        Peak shear stress of lagging and bond [Pa].
     motor
         Torque of the motors over the rated one [-].
+    found
+        Magnitudes that the solver finds of the arc, by name [SI]; none where it is not solved.
     """
 
     tight: Number
@@ -55,11 +51,8 @@ class State(Generic[Number]):
     strength: Number
     centrifugal: Number
     creep_limit: Number
-    creep: Number
-    slip: Number
-    slip_speed: Number
-    shear: Number
     motor: Number
+    found: Mapping[str, Number]
 
     def raised(self, by: Number) -> State[Number]:
         """Return the state with all tensions raised [N]."""
@@ -169,20 +162,21 @@ class Rule:
         Whether a design must keep it.
     firm
         Where given, whether it binds a drive, and fails where it is missed.
+    result
+        Name of what it compares, where the solver finds it: of `ArcResult` and `BatchResult`.
     value
-        What is compared; None where a check compares no number of a `State`.
+        What it compares of a `State` else; None where it compares no number.
     allowed
         What is allowed by what is described; None where nothing is. Without it the limit is all.
     limit
         The limit by that; without it what is allowed is the limit.
     rounded
         The value at a limit, where that is missed by rounding alone.
-    of_solution
-        Whether it compares what the solver finds.
     pulls
         Whether it is asked of pulleys that pull alone.
     of_rows, of_runs
-        Whether it is asked of many arcs at once, and of a run in time by the extremes of the event.
+        Whether it is asked of many arcs at once, and of an event in time by what that comes to at
+        its worst, where it is known.
     words
         What it says; None where it is not asked at a spot.
     asked
@@ -200,11 +194,11 @@ class Rule:
     tension: Literal["", "raise", "lower"] = ""
     binding: bool = True
     firm: Callable[[Drive], bool] | None = None
+    result: str = ""
     value: OfState | None = None
     allowed: Callable[[At], float | None] | None = None
     limit: LimitOf | None = None
     rounded: Callable[[float, float, State[float]], float] | None = None
-    of_solution: bool = False
     pulls: bool = False
     of_rows: bool = True
     of_runs: bool = True
@@ -217,10 +211,12 @@ class Rule:
             yield from self.asked(of)
             return
         words = self.words(of) if self.words else None
-        if words is None or self.value is None:
-            return
-        value, missing = self.value(of.state), words.missing
-        missing = missing or (of.unknown if self.of_solution else "")
+        found = self.result in of.state.found
+        if words is None or (self.result and not found and not of.unknown):
+            return  # nothing is solved here, or an event does not tell it
+        value = math.nan if self.result and not found else self.compared(of.state)
+        missing = words.missing or (of.unknown if self.result else "")
+        missing = missing or ("its value is not known" if math.isnan(value) else "")
         if missing:
             check = not_checked(self.name, words.title, missing, of.place)
             told = replace(check, value=value, dimension=self.dimension)
@@ -231,6 +227,10 @@ class Rule:
         if self.rounded is not None:
             value = self.rounded(value, limit, of.state)
         yield self.held(of.drive).judged(value, limit, of.place, words)
+
+    def compared(self, state: State[Number]) -> Number:
+        """Return what is compared."""
+        return self.value(state) if self.value else state.found[self.result]
 
     def limited(self, allowed: Number, state: State[Number]) -> Number:
         """Return the limit in a state, of what is allowed."""

@@ -4,13 +4,19 @@ The rule of a check stands beside its words; those across the width, whose solve
 uneven pulleys alone, stand here.
 """
 
-from wraparc.checks.check import Level
+import math
+
+from wraparc.arc import ArcResult
+from wraparc.checks import of_arc
+from wraparc.checks.check import Level, Place
 from wraparc.checks.of_arc import GROSS_SLIP, OF_GRIP, OF_LAGGING, OF_SLIP
 from wraparc.checks.of_data import OF_LAW
 from wraparc.checks.of_drive import BELT_THICKNESS, OF_BELT, OF_TESTS, PULLEY_DIAMETER, SAG, TAUT
 from wraparc.checks.of_train import OF_MOTORS, TRAIN_BALANCE_RULE
-from wraparc.checks.rule import Rule
+from wraparc.checks.rule import Rule, Spot, State
 from wraparc.checks.usual import USUAL_RULE
+from wraparc.drive import Drive, LoadCase, Pulley
+from wraparc.drive.pitch import centrifugal_of
 
 #: Those of one pulley in one load case, and in an event where they are asked of runs.
 OF_PULLEY = (*OF_GRIP, *OF_BELT, *OF_LAGGING, *OF_TESTS, *OF_LAW, *OF_SLIP, SAG)
@@ -80,3 +86,43 @@ ACROSS_RULES = {
 }  # fmt: skip
 #: Names of all checks across the width, those without a limit too.
 ACROSS_CHECKS = frozenset({*ACROSS_RULES, "slack_edge", "uneven_wear"})
+#: What the checks of a pulley compare of its solution.
+RESULTS = tuple(dict.fromkeys(rule.result for rule in OF_PULLEY if rule.result))
+
+
+def spot_of(drive: Drive, case: LoadCase, pulley: Pulley, result: ArcResult | None = None) -> Spot:
+    """Return a pulley in a load case as its checks are asked, with its arc if that is solved."""
+    tensions, belt = case.tensions[pulley.name], drive.belt
+    known = result is not None and result.status.solved
+    first, last = drive.pulleys[0], drive.pulleys[-1]
+    driving = case.tensions[first.name].entry >= case.tensions[last.name].exit
+    slack = last if driving else first
+    return Spot(
+        drive=drive,
+        case=case,
+        pulley=pulley,
+        place=Place(pulley.name, case.name),
+        state=State(
+            tight=max(tensions.entry, tensions.exit),
+            slack=min(tensions.entry, tensions.exit),
+            slack_end=drive.slack_end(case) if pulley.name == slack.name else math.nan,
+            width=belt.width,
+            diameter=pulley.diameter,
+            strength=math.nan if belt.breaking_strength is None else belt.breaking_strength,
+            centrifugal=centrifugal_of(belt),
+            creep_limit=drive.creep_limit_of(pulley),
+            motor=math.nan,
+            found=_found(result) if result is not None and known else {},
+        ),
+        result=result,
+        unknown="" if result is None or known else of_arc.no_state(result),
+    )
+
+
+def _found(result: ArcResult) -> dict[str, float]:
+    """Return what the checks compare of a solved arc [SI]."""
+    course = {"largest_slip": of_arc.largest_slip, "slip_speed": of_arc.slip_speed}
+    return {
+        name: course[name](result) if name in course else abs(getattr(result, name))
+        for name in RESULTS
+    }

@@ -339,9 +339,10 @@ def unusual(
     if dimension == "number":
         near = next((n for n in (0.1, 10.0, 0.01, 100.0) if least <= n * value <= most), None)
         remedy = "Check the number." if near is None else f"Is {near * value:.3g} meant?"
-    if dimension == "angle" and value > most:
+    wraps = name.startswith("wrap angle")
+    if wraps and value > most:
         remedy = "Is it the sum of two pulleys? Give each of them its own."
-    elif dimension == "angle" and not meant:
+    elif wraps and not meant:
         remedy = "Is it what a snub pulley adds to half a turn? Give the sum."
     if name.startswith(_AT_RATING):
         remedy = "Check the diameter and the rating."

@@ -55,7 +55,7 @@ class Drive(Viewable):
         With all names that repeat, tensions that are missing and limits that are broken.
     """
 
-    LIMITS: ClassVar[Mapping[str, Limit]] = {"creep_limit": Limit("length", open=True, most=1.0)}
+    LIMITS: ClassVar[Mapping[str, Limit]] = {"creep_limit": Pulley.LIMITS["creep_limit"]}
 
     title: str = ""
     belt: Belt

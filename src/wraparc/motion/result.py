@@ -9,6 +9,7 @@ from enum import Enum
 import numpy as np
 
 from wraparc.alike import largest, least
+from wraparc.arc.result import MORE_FRICTION
 from wraparc.arrays import Array
 from wraparc.motion.event import Event
 from wraparc.motion.station import Station
@@ -24,7 +25,7 @@ class Outcome(Enum):
     )
     BREAKAWAY = (
         "A drive breaks away: no creep makes enough friction. The run is kept up to there. "
-        "Tighten the take-up, start more slowly, or use a lagging with more friction."
+        f"Tighten the take-up, start more slowly, or {MORE_FRICTION}"
     )
     TURNED_BACK = (
         "A drum turns back, which is not modelled: the run is kept up to there. Give the drum a "

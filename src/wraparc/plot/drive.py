@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from wraparc.arc import ArcResult, DriveResult, Status
 from wraparc.checks import judge
+from wraparc.glossary import GLOSSARY
 from wraparc.plot.budget import draw_budget
 from wraparc.plot.picture import Picture, styled
 from wraparc.plot.profiles import draw_profiles
@@ -143,7 +144,8 @@ def caption(result: ArcResult, system: System) -> str:
     limit = display(result.arc.creep_limit, "length", system, digits=3)
     within = "within" if result.within_creep_limit else "more than"
     angle = display(result.peak_shear_angle, "angle", digits=3)
-    return f"Creep at exit {creep}, {within} the limit of {limit}; peak shear angle {angle}."
+    title = GLOSSARY["exit_creep"].title
+    return f"{title} {creep}, {within} the limit of {limit}; peak shear angle {angle}."
 
 
 def _foot(remarks: Sequence[str]) -> str:

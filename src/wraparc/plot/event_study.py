@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from wraparc.checks import Level
 from wraparc.errors import InputError
+from wraparc.glossary import GLOSSARY
 from wraparc.plot.picture import GREY, LINES, Picture, styled
 from wraparc.study.event_study import EventRow, EventStudy
 from wraparc.units import Dimension, System, display_unit
@@ -32,7 +33,7 @@ def plot_event_study(study: EventStudy, rows: Sequence[EventRow], system: System
         left, right = figure.subplots(1, 2)
         axis = _axis(study)
         panels: tuple[tuple[Axes, str, str, Dimension], ...] = (
-            (left, "peak_creep", "Largest exit creep", "length"),
+            (left, "peak_creep", f"Largest {GLOSSARY['exit_creep'].title.lower()}", "length"),
             (right, "peak_tension", "Largest tension", "force"),
         )
         for ax, name, title, dimension in panels:

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from itertools import cycle
 
 from wraparc.arc import ArcResult
+from wraparc.glossary import GLOSSARY
 from wraparc.plot.lagging import DASHES, shades
 from wraparc.plot.picture import RED, Picture, styled
 from wraparc.plot.profiles import angle_ticks, angles, column, heading
@@ -36,7 +37,8 @@ def plot_family(results: Sequence[ArcResult], system: System = "si", *, title: s
             ax.plot(angles(result), column(result, "creep", system), label=ratio, **style)
         arc = results[0].arc
         limit = arc.side * arc.creep_limit / display_unit("length", system)[1]
-        text = f"creep limit, {display(arc.creep_limit, 'length', system, digits=3)}"
+        said = display(arc.creep_limit, "length", system, digits=3)
+        text = f"{GLOSSARY['creep_limit'].title.lower()}, {said}"
         ax.axhline(limit, color=RED, linewidth=1.2, linestyle=(0, (1, 1.5)), label=text)
         ax.axhline(0.0, color="#444444", linewidth=0.6)
         end = math.degrees(arc.wrap_angle)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from wraparc.glossary import GLOSSARY
 from wraparc.motion.result import RunResult
 from wraparc.motion.vibration import StabilityMap, StabilityResult
 from wraparc.plot.picture import BLUE, GREEN, GREY, ORANGE, RED, Picture, styled
@@ -37,12 +38,16 @@ def plot_run(run: RunResult, units: System = "si") -> Picture:
             axes[1].plot(t, d.exit_tension / f, color=colour, ls=dash, label=f"behind {d.name}")
             axes[2].plot(t, d.effective_tension / f, color=colour, ls=dash, label=d.name)
             axes[3].plot(t, d.exit_creep / x, color=colour, ls=dash, label=d.name)
-        limit = run.station.train.creep_limit / x
+        limit = min(map(run.station.train.creep_limit_of, run.station.train.pulleys)) / x
         if limit < 2.0 * run.peak_creep.value / x:
             axes[3].axhline(limit, color=RED, lw=1.2, ls=(0, (1, 1.5)), label="limit")
         for axis, label in zip(
             axes[1:4],
-            (f"tension [{force}]", f"pull T1 - T2 [{force}]", f"exit creep [{length}]"),
+            (
+                f"tension [{force}]",
+                f"pull T1 - T2 [{force}]",
+                f"{GLOSSARY['exit_creep'].title} [{length}]",
+            ),
             strict=True,
         ):
             axis.set_ylabel(label)
@@ -88,7 +93,7 @@ def plot_stability(result: StabilityResult, units: System = "si") -> Picture:
         pull.set_title(f"Run-out of {last.pulley}; dotted: 1, 2 and 3 waves a turn")
         pull.set_ylabel("swing of the pull [%]")
         phase.set_ylabel("phase [deg]")
-        creep.set_ylabel(f"exit creep [{length}]")
+        creep.set_ylabel(f"{GLOSSARY['exit_creep'].title} [{length}]")
         creep.set_xlabel("frequency [Hz]")
         pull.legend()
         places = np.arange(len(result.controls))

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from wraparc.checks.rules import RULES
 from wraparc.glossary import GLOSSARY
 from wraparc.plot.picture import BLUE, GREY, LINES, ORANGE, RED, Picture, styled
 from wraparc.study.fields import label_of, names_of
@@ -109,7 +110,7 @@ def _spread(
             linewidth=0.6,
         )  # fmt: skip
     if not math.isnan(limit):
-        told = f"creep limit {display(found.limit.least, 'length', system)}"
+        told = f"{RULES['creep'].what} {display(found.limit.least, 'length', system)}"
         ax.axvline(limit, color=RED, linestyle=(0, (5, 2)), label=told)
         if len(edges) and edges[0] < 0.0:
             ax.axvline(-limit, color=RED, linestyle=(0, (5, 2)))

@@ -254,7 +254,7 @@ def _mark_braking(ax: "Axes", curve: ShareCurve) -> None:
 
 _PLACES: dict[MarkKind, tuple[str, str]] = {
     MarkKind.OPERATING: ("#222222", "now"),
-    MarkKind.CREEP_LIMIT: (RED, "creep limit"),
+    MarkKind.CREEP_LIMIT: (RED, GLOSSARY["creep_limit"].title.lower()),
     MarkKind.BREAKAWAY: (RED, "breaks away"),
 }
 
@@ -296,7 +296,7 @@ def _draw_creeps(ax: "Axes", matching: Matching) -> None:
         ax.axvline(100.0 * now, color="#222222", linewidth=1.1)
     ax.set_xlim(float(x[0]), float(x[-1]))
     ax.set_ylim(bottom=0.0)
-    ax.set_ylabel("Exit creep, part of its limit [%]")
+    ax.set_ylabel(f"{GLOSSARY['exit_creep'].title}, part of its limit [%]")
     name = curve.case.members[curve.drive].name
     ax.set_xlabel(f"{GLOSSARY[curve.quantity].title} of {name} [%]")
     right = ax.twinx()
@@ -329,7 +329,13 @@ def _draw_map(ax: "Axes", over: ShareMap) -> None:
         dashes = ("dashed", "dotted", "dashdot", "solid")[i % 4]
         if np.nanmin(part) < 1.0 < np.nanmax(part):
             ax.contour(x, y, part, [1.0], colors=RED, linewidths=1.4, linestyles=dashes)
-            ax.plot([], [], color=RED, linestyle=dashes, label=f"creep limit of {m.name}")
+            ax.plot(
+                [],
+                [],
+                color=RED,
+                linestyle=dashes,
+                label=f"{GLOSSARY['creep_limit'].title.lower()} of {m.name}",
+            )
     here = over.case.members[over.drive]
     ax.plot(
         100.0 * here.speed_trim, 100.0, "o", color="white", markeredgecolor="#222222", label="now"

@@ -9,6 +9,7 @@ from wraparc.alike import place_of_largest
 from wraparc.answer.arc_tables import METHOD_TITLES, belongs, creep_part
 from wraparc.answer.sheet import named, started
 from wraparc.arc import ArcResult
+from wraparc.glossary import GLOSSARY
 from wraparc.plot.across import plot_across
 from wraparc.plot.drive import plot_budget, plot_profiles, plot_pulley
 from wraparc.plot.picture import Picture
@@ -67,8 +68,11 @@ def budget_drawing(results: Sequence[ArcResult]) -> Drawing:
     """Return the creep at the exit by source, a bar for each method."""
     words = " ".join(_budget_words(result) for result in results)
     limit = named("creep_limit", results[0].arc.creep_limit)
-    alt = f"Creep at the exit by source. {words} The creep limit is {limit}."
-    caption = f"Creep at the exit by source, {belongs(results[0])}."
+    title = f"{GLOSSARY['exit_creep'].title} by source"
+    alt, caption = (
+        f"{title}. {words} The creep limit is {limit}.",
+        f"{title}, {belongs(results[0])}.",
+    )
     return Drawing(partial(plot_budget, results), caption, alt, 0.45)
 
 

@@ -9,11 +9,18 @@ import numpy as np
 
 from wraparc.arrays import Array, Flags
 from wraparc.checks.numbers import kept
+from wraparc.checks.of_arc import EXIT_CREEP, OF_LAGGING
+from wraparc.checks.of_drive import BELT_TENSION, MOMENTARY_TENSION
 from wraparc.checks.of_rows import kept_rows
+from wraparc.checks.rule import Rule
 
 #: Results whose limit is a number of the row, an upper one on their size, in the column
-#: `limit_column`.
-LIMITED = ("exit_creep", "entry_tension", "peak_shear_stress")
+#: `limit_column`, and the checks that it is of.
+LIMITED: dict[str, tuple[Rule, ...]] = {
+    "exit_creep": (EXIT_CREEP,),
+    "entry_tension": (BELT_TENSION, MOMENTARY_TENSION),
+    **{rule.result: (rule,) for rule in reversed(OF_LAGGING)},
+}
 #: Results whose limit is the same for every row, a lower one.
 LEAST = {"creep_limit_margin": 1.0, "tested_slip_margin": 1.0, "gross_slip_margin": 1.0}
 _FEWEST, _MOST = 8, 30  # bars

@@ -16,8 +16,7 @@ from wraparc.arrays import Array, Codes, Flags, Integers
 from wraparc.batch import Setting
 from wraparc.batch.arcs import Arcs, present
 from wraparc.batch.scaled import solve_scaled
-from wraparc.checks.of_arc import BOND_STRESS, NO_GRIP
-from wraparc.checks.of_drive import BELT_TENSION, MOMENTARY_TENSION
+from wraparc.checks.of_arc import NO_GRIP
 from wraparc.checks.of_rows import LEVELS, NAMES, Held, kept_rows, worst_of_rows
 from wraparc.drive import GRAVITY, Drive
 from wraparc.provenance import Provenance
@@ -287,9 +286,9 @@ class Study:
         for name in self.outputs:
             columns[name] = np.full(size, np.nan)
             columns[name][good] = solved[name]
-        limits = _limits(rows)
         for name in self.limited:
-            columns[limit_column(name)] = np.where(rows.valid, limits[name], np.nan)
+            limits = [rows.held.limit(rule) for rule in LIMITED[name]]
+            columns[limit_column(name)] = np.where(rows.valid, np.fmin.reduce(limits), np.nan)
         _lose(columns, rows, self.outputs)
         return columns
 
@@ -343,16 +342,6 @@ class Study:
             kept = {n: more[n] if n in more else solved[n] for n in wanted}
             found.append(kept | dict(zip(JUDGED, judged[:2], strict=True)))
         return {name: np.concatenate([part[name] for part in found]) for name in found[0]}
-
-
-def _limits(rows: Rows) -> Mapping[str, Array]:
-    """Limits of the results that have one in every row, nan where a row has none [SI]."""
-    held = rows.held
-    return {
-        "exit_creep": rows.arcs.creep_limit,
-        "entry_tension": np.fmin(held.limit(BELT_TENSION), held.limit(MOMENTARY_TENSION)),
-        "peak_shear_stress": held.limit(BOND_STRESS),
-    }
 
 
 def _lose(columns: Columns, rows: Rows, outputs: Sequence[str]) -> None:

@@ -73,29 +73,30 @@ def load_drive_or_train(
         if conditions:
             with placed("--conditions", str(more.get("file", ""))):
                 document = asking(document, conditions)
-        reader = drive_or_train_from_document
-        if also is None:
-            return reader(document, **more)
-        problems: list[Problem] = []
-        try:
-            also(document, file=str(more.get("file", "")))
-        except InputError as error:
-            problems += error.problems
-        try:
-            found = reader(document, **more)
-        except InputError as error:
-            raise InputError([*error.problems, *problems]) from None
-        if problems:
-            raise InputError(problems)
-        return found
+        return drive_or_train_from_document(document, also, **more)
 
     return load(path, read, overrides, TRAIN_FILE, allow_paths=allow_paths)
 
 
-def drive_or_train_from_document(document: Document, **more: Any) -> Drive | Train:
+def drive_or_train_from_document(
+    document: Document, also: Callable[..., None] | None = None, **more: Any
+) -> Drive | Train:
     """Return what a drive file describes that is already parsed, see `load_drive_or_train`."""
     reader = train_from_document if "train" in document else drive_from_document
-    return reader(document, **more)
+    if also is None:
+        return reader(document, **more)
+    problems: list[Problem] = []
+    try:
+        also(document, file=str(more.get("file", "")))
+    except InputError as error:
+        problems += error.problems
+    try:
+        found = reader(document, **more)
+    except InputError as error:
+        raise InputError([*error.problems, *problems]) from None
+    if problems:
+        raise InputError(problems)
+    return found
 
 
 def load_drive(

@@ -9,6 +9,7 @@ from math import isfinite, isnan, nan
 
 from wraparc.alike import largest
 from wraparc.arc import ArcResult, DriveResult
+from wraparc.arc.result import MORE_FRICTION
 from wraparc.drive import Drive, LoadCase, Tensions
 from wraparc.train.train import Train, TrainCase
 from wraparc.views import Viewable
@@ -20,7 +21,7 @@ class TrainStatus(StrEnum):
     SOLVED = "The drives carry the load."
     BREAKAWAY = (
         "Breakaway: a drive cannot hold its part of the load. Raise the slack-side tension "
-        "(take-up), bring the speeds closer together, or choose a lagging with more friction."
+        f"(take-up), bring the speeds closer together, or {MORE_FRICTION}"
     )
     BEYOND_MOTOR = (
         "No operating point: a motor would have to work beyond its curve. Change its set speed or "
@@ -286,7 +287,7 @@ class TrainResult(Viewable):
         """The load case that is nearest to, or furthest beyond, its limits."""
 
         def severity(case: CaseResult) -> float:
-            creeps = [abs(m.arc.exit_creep) / m.arc.arc.creep_limit for m in case.members]
+            creeps = [m.arc.share_of_limit for m in case.members]
             return max(c if isfinite(c) else 0.0 for c in creeps)
 
         solved = self.solved

@@ -180,7 +180,7 @@ class Train:
         With everything that is wrong.
     """
 
-    LIMITS: ClassVar[dict[str, Limit]] = {"creep_limit": Limit("length", open=True)}
+    LIMITS: ClassVar[dict[str, Limit]] = {"creep_limit": Pulley.LIMITS["creep_limit"]}
 
     title: str = ""
     description: str = ""

@@ -29,13 +29,13 @@ from wraparc.web.errors import ToldProblem, told
 NEIGHBOURS = 4
 #: Columns: key, title, which is better.
 _COLUMNS = (
-    ("creep", "Creep at exit", "low"),
+    ("creep", GLOSSARY["exit_creep"].title, "low"),
     ("of_limit", "Share of the creep limit", "low"),
-    ("peak_shear_stress", "Peak shear stress", "low"),
-    ("peak_shear_angle", "Peak shear angle", "low"),
-    ("margin", "Margin to the creep limit", "high"),
+    ("peak_shear_stress", GLOSSARY["peak_shear_stress"].title, "low"),
+    ("peak_shear_angle", GLOSSARY["peak_shear_angle"].title, "low"),
+    ("margin", GLOSSARY["creep_limit_margin"].title, "high"),
     ("least_slack", "Least slack-side tension, all checks", "low"),
-    ("power_loss", "Power lost to creep", "low"),
+    ("power_loss", GLOSSARY["power_loss"].title, "low"),
     ("outside", "Share outside tested range", "low"),
     ("cost_lagging", "Lagging over the years", "low"),
     ("cost_energy", "Energy lost over the years", "low"),
@@ -276,8 +276,8 @@ def _cells(whole: Whole, result: ArcResult) -> dict[str, Compared]:
         "power_loss": ("power_loss", result.energy.power_loss),
     }
     cells = {key: _cell(name, value) for key, (name, value) in numbers.items()}
-    share, outside = abs(result.exit_creep) / result.arc.creep_limit, result.outside_tested_share
-    return {**cells, "of_limit": _share(share), "outside": _share(outside)}
+    shares = {"of_limit": result.share_of_limit, "outside": result.outside_tested_share}
+    return cells | {key: _share(value) for key, value in shares.items()}
 
 
 def _cell(name: str, value: float) -> Compared:

@@ -7,7 +7,6 @@ from typing import Any
 from wraparc.arc import Distributed
 from wraparc.drive import Drive, LoadCase, Pulley
 from wraparc.errors import input_error, placed
-from wraparc.files import drive_from_document
 from wraparc.schema.source import Document, decoded, parse
 from wraparc.train import Train
 from wraparc.train.as_drive import nearest_drive
@@ -59,16 +58,15 @@ def read(document: Document) -> Drive | Train:
     InputError
         With everything that is wrong; paths of files are refused, and more than a page can show.
     """
-    document = without_none(document)
-    if "train" in document:
-        from wraparc.train.file import train_from_document
+    from wraparc.train.file import drive_or_train_from_document
 
-        train = train_from_document(document)
-        _check_arcs(len(train.pulleys), len(train.cases))
-        return train
-    drive = drive_from_document(document)
-    _check_arcs(len(drive.pulleys), len(drive.load_cases))
-    return drive if len(drive.pulleys) == 1 else Train.of(drive)
+    document = without_none(document)
+    if "motion" in document:  # the room of drives in time is loaded for these alone
+        from wraparc.motion.file import check_motion
+    found = drive_or_train_from_document(document, check_motion if "motion" in document else None)
+    cases = found.load_cases if isinstance(found, Drive) else found.cases
+    _check_arcs(len(found.pulleys), len(cases))
+    return Train.of(found) if isinstance(found, Drive) and len(found.pulleys) > 1 else found
 
 
 def _check_arcs(pulleys: int, cases: int) -> None:

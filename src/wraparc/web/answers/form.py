@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from functools import cache
 
 from wraparc.conveyor.keys import CONVEYOR
-from wraparc.drive import CREEP_LIMIT
+from wraparc.drive import CREEP_LIMIT, Lagging
 from wraparc.files.across_keys import ACROSS, PULLEY_END, TRANSITION
 from wraparc.files.drive_keys import BELT, CRITERIA, LOAD_CASE, PULLEY, TENSIONS
 from wraparc.files.lagging_keys import LAGGING_GIVEN
@@ -35,21 +35,6 @@ _IN_KEYS = {
     "lagging": {"thickness": "lagging_thickness"},
     "pulley": {"mass": "pulley_mass"},
 }
-#: Keys of a lagging that a form has a field for; the others come with the lagging.
-_OF_LAGGING = (
-    "thickness",
-    "shear_modulus",
-    "compression_modulus",
-    "bond_strength",
-    "fatigue_limit",
-)
-_ADVANCED = {
-    "sources", "provenance", "kind", "least_pulley_diameter", "rating", "strength",
-    "condition", "overrun",
-    "momentary_factor", "largest_wrap_pressure", "bond_strength", "fatigue_limit",
-    "pulley_cover", "carry_cover", "carcass", "cover_shear_modulus", "mass", "side",
-    "recovery", "description", "format", "belt_path", "in_plane_shear_stiffness", "across",
-}  # fmt: skip
 #: Ends of sliders [SI], and whether they go by factors.
 _SLIDERS: dict[str, tuple[float, float, bool]] = {
     "pulley[].entry_tension": (5e3, 1e6, True),
@@ -87,7 +72,6 @@ class Field(Answer):
     help: str
     kind: str
     required: bool
-    advanced: bool
     options: list[str]
     word: str | None
     default: str | bool | None
@@ -150,7 +134,7 @@ def form() -> Form:
     tensions = {entry.key for entry in TENSIONS}
     pulley = [entry for entry in PULLEY.entries if entry.key not in tensions]
     top = [e for e in TRAIN_FILE.entries if not isinstance(e.kind, Table) and _is_field(e)]
-    lagging = [e for e in LAGGING_GIVEN.entries if e.key in _OF_LAGGING]
+    lagging = [e for e in LAGGING_GIVEN.entries if e.key in Lagging.LIMITS]
     case = [e for e in LOAD_CASE.entries if e.key in ("name", "description")]
     criteria = [
         _section(e.key, e.title, f"{e.key}.", e.kind.entries)
@@ -245,7 +229,6 @@ def _field(entry: Entry, prefix: str, name: str) -> Field:
         help=entry.meaning,
         kind=_kind_name(path, kind),
         required=entry.required,
-        advanced=entry.key in _ADVANCED or path.startswith("load_case") or path == "belt.thickness",
         options=list(kind.options) if isinstance(kind, Choice) else [],
         # shown where nothing is given: no belt is rigid by leaving its modulus out
         word=worded.word if worded and path != "belt.modulus" else None,

@@ -6,9 +6,10 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
+from wraparc.answer.sheet import named
 from wraparc.answer.study_document import study_document
 from wraparc.answer.study_sheet import study_sheet
-from wraparc.answer.study_words import group_name, histogram_sentence
+from wraparc.answer.study_words import LIMITS, group_name, histogram_sentence
 from wraparc.errors import InputError, Problem, shown
 from wraparc.files.lagging_file import is_path
 from wraparc.render.page import study_page
@@ -52,6 +53,7 @@ class Spread(Answer):
     edges: list[float]
     counts: list[int]
     limit: float | None
+    limit_told: Text
     at_most: bool
     beyond: int
     without: int
@@ -179,12 +181,14 @@ def _spreads(summary: Summary, units: dict[str, Dimension | None]) -> Iterator[S
         for name, found in group.histograms.items():
             if not found.edges:
                 continue
+            told = f"{LIMITS[name]} {named(name, found.limit.least)}" if found.limit.one else ""
             yield Spread(
                 result=name,
                 where=worded(_where(group, units)),
                 edges=list(found.edges),
                 counts=list(found.counts),
                 limit=found.limit.least if found.limit.one else None,
+                limit_told=worded(told),
                 at_most=found.limit.at_most,
                 beyond=found.beyond,
                 without=found.total - sum(found.counts),

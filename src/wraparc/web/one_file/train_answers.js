@@ -73,6 +73,7 @@ function resultOf({ c, system, told, own, quicks, divided }, numbers) {
     const { exit_creep, entry_creep_ratio } = summary;
     const arc = {
       ...{ entry_tension, exit_tension, effective_tension, exit_creep, entry_creep_ratio },
+      share_of_limit: Math.abs(exit_creep) / limit,
       within_creep_limit: solved && Math.abs(exit_creep) <= limit,
       arc: {
         ...{ pulley, creep_limit: limit, compliance, wrap_angle, entry_tension, exit_tension },
@@ -103,7 +104,7 @@ function governingOf(results) {
     r.status === SOLVED ? 0 : 1,
     Math.max(
       ...r.members.map((/** @type {any} */ m) => {
-        const part = Math.abs(m.arc.exit_creep) / m.arc.arc.creep_limit;
+        const part = m.arc.share_of_limit;
         return Number.isFinite(part) ? part : 0;
       }),
     ),

@@ -2550,7 +2550,7 @@ export function train_sheet___creep_row(case_) {
   for (const each1 of case_.members) {
     m = each1;
     creep = m.arc.exit_creep;
-    part = "" + " (" + $text(percent(Math.abs(creep) / m.arc.arc.creep_limit)) + ")";
+    part = "" + " (" + $text(percent(m.arc.share_of_limit)) + ")";
     texts.push(
       "" + $text(sheet__named("exit_creep", creep)) + $text(Number.isNaN(creep) ? "" : part),
     );

@@ -370,7 +370,6 @@ export interface Field {
   help: string;
   kind: string;
   required: boolean;
-  advanced: boolean;
   options: string[];
   word: string | null;
   default: string | boolean | null;
@@ -889,6 +888,7 @@ export interface Spread {
   edges: number[];
   counts: number[];
   limit: number | null;
+  limit_told: Text;
   at_most: boolean;
   beyond: number;
   without: number;

@@ -16,7 +16,7 @@ source__check_format(document, file);
 report.add(["train"], message, "Read it with wraparc.load_train or wraparc.load_drive.");
 report.raise_all();
 }
-([record, report] = source__read_tables($c0, document, file));
+([record, report] = source__read_tables($cca53, document, file));
 (belt_record = $m.get(record, "belt"));
 (belt = ($truth($b.isinstance(belt_record, Record)) ? drive_build__build_belt(belt_record, report) : null));
 (own = $m.get(record, "lagging"));
@@ -70,7 +70,7 @@ return [table.read(document, [], report), report];
 function drive_build__build_belt(record, report) {
 let built, layers, more, own, place, preset, published, remedy, sound, sources;
 
-(sources = origins__read_sources(record, (function* () { for (const e of $iter($c1)) { yield e.key; } })(), report));
+(sources = origins__read_sources(record, (function* () { for (const e of $iter($c75bc)) { yield e.key; } })(), report));
 (own = $or(origins__own_provenance(record, report), () => new Provenance()));
 (more = $map([["name", "belt"], ["provenance", own]]));
 if (($in("preset", record))) {
@@ -79,12 +79,12 @@ if (($in("preset", record))) {
 if ((preset == null)) {
 return null;
 }
-(more = $map([...(function* () { for (const key of $iter([...$iter($c3), "provenance"])) { yield [key, $b.getattr(preset, key)]; } })()]));
+(more = $map([...(function* () { for (const key of $iter([...$iter($c2628), "provenance"])) { yield [key, $b.getattr(preset, key)]; } })()]));
 (published = preset.sources);
 if (($in("thickness", record))) {
 ([more, published] = [$map([...more, ["carcass", null]]), $map([])]);
 }
-(sources = $merged($merged(published, $map([...(function* () { for (const key of $iter($c4)) { if (!(($in(key, record)))) continue; yield [key, own]; } })()])), sources));
+(sources = $merged($merged(published, $map([...(function* () { for (const key of $iter($ca32a)) { if (!(($in(key, record)))) continue; yield [key, own]; } })()])), sources));
 } else {
 if (((!$in("modulus", record)) && $truth(record.sound("modulus")))) {
 (remedy = "Write modulus = \"12960 kN/m\", or choose a belt by preset.");
@@ -93,15 +93,15 @@ return null;
 }
 }
 (more = $map([...(function* () { for (const [key, v] of $iter($m.items(more))) { if (!((($eq(key, "provenance")) || (!$in(key, record))))) continue; yield [key, v]; } })()]));
-(built = $method($c5, "built", [record, report], [["sources", sources], ...more]));
+(built = $method($c808d, "built", [record, report], [["sources", sources], ...more]));
 if (((built != null) || !$truth(record.sound("width", "modulus")))) {
 return built;
 }
 (sound = new Record($b.dict(record), $bound(record, "place"), $bound(record, "raw")));
-(layers = ((!$truth(record.sound()) && $truth(record.sound(...$iter($c6), "thickness"))) ? report : new Report()));
-(built = $method($c5, "built", [sound, layers], [["sources", $map([])], ...more]));
+(layers = ((!$truth(record.sound()) && $truth(record.sound(...$iter($c2d22), "thickness"))) ? report : new Report()));
+(built = $method($c808d, "built", [sound, layers], [["sources", $map([])], ...more]));
 $m.pop(sound, "thickness", null);
-return $or(built, () => $method($c5, "built", [sound, new Report()], [["sources", $map([])], ...more]));
+return $or(built, () => $method($c808d, "built", [sound, new Report()], [["sources", $map([])], ...more]));
 }
 function origins__read_sources(record, keys, report) {
 let key, place, provenance, sources, table;
@@ -127,7 +127,7 @@ function origins__read_provenance(record, report) {
 let kind, made;
 
 (kind = (($in("kind", record)) ? $map([["kind", $b.str($at(record, "kind"))]]) : $map([])));
-(made = $method($c2, "built", [record, report], [...kind]));
+(made = $method($cc542, "built", [record, report], [...kind]));
 return made;
 }
 function tables__unknown_key_remedy(key, known) {
@@ -211,7 +211,7 @@ return errors__input_error(("" + "the catalogue has no " + $str(what) + " of thi
 function conditions__build_conditions(record, report) {
 let cases, main, problem, rows;
 
-(rows = [...(function* () { for (const row of $iter($m.get(record, "condition", []))) { if (!((row !== $c7))) continue; yield row; } })()]);
+(rows = [...(function* () { for (const row of $iter($m.get(record, "condition", []))) { if (!((row !== $c2f8b))) continue; yield row; } })()]);
 (main = [...(function* () { for (const row of $iter(rows)) { yield [conditions__condition_of(row, report), ["condition"]]; } })()]);
 for (problem of $iter(drive__repeated("condition", (function* () { for (const [condition, _] of $iter(main)) { yield condition.name; } })()))) {
 report.take(new InputError(problem), []);
@@ -227,7 +227,7 @@ return new Condition($b.str(value));
 }
 (factors = $m.get(value, "friction_factors", $map([])));
 (source = $or(origins__own_provenance(value, report), () => new Provenance()));
-(made = $method($c8, "built", [value, report], [["factors", factors], ["source", source]]));
+(made = $method($c0bb9, "built", [value, report], [["factors", factors], ["source", source]]));
 return $or(made, () => new Condition($b.str($m.get(value, "name", "dry"))));
 }
 function drive__repeated(key, names) {
@@ -242,7 +242,7 @@ return [...(function* () { for (const [name, count] of $iter($m.items($b.Counter
 function drive_build__build_pulley(record, laggings, conditions, report) {
 let built, by_name, found, found_before, lagging, laws, more, own, place, sources, sure, wrap;
 
-(sources = origins__read_sources(record, (function* () { for (const e of $iter($c9)) { yield e.key; } })(), report));
+(sources = origins__read_sources(record, (function* () { for (const e of $iter($c06ce)) { yield e.key; } })(), report));
 (laws = []);
 if (($in("lagging", record))) {
 (laws = laggings.of($at(record, "lagging"), [...$iter(record.place), "lagging"]));
@@ -268,7 +268,7 @@ if (($in("belt_path", record))) {
 if ((wrap == null)) {
 return null;
 }
-{ const [$v0, $v1] = [wrap, $map([["wrap_angle", $c27], ...sources])]; $put(more, "wrap_angle", $v0); (sources = $v1); }
+{ const [$v0, $v1] = [wrap, $map([["wrap_angle", $c2aaf], ...sources])]; $put(more, "wrap_angle", $v0); (sources = $v1); }
 }
 if (($in("across", record))) {
 (found_before = $b.len($bound(report, "problems")));
@@ -277,7 +277,7 @@ if (($b.len($bound(report, "problems")) > found_before)) {
 return null;
 }
 }
-(built = $method($c31, "built", [record, report], [["lagging", lagging], ["sources", sources], ...more]));
+(built = $method($c706c, "built", [record, report], [["lagging", lagging], ["sources", sources], ...more]));
 return built;
 }
 function conditions__at_its_place(condition, laws) {
@@ -305,7 +305,7 @@ if ((!$truth($b.isinstance(path, Record)) || !$truth(path.sound()) || (!$in("dia
 return null;
 }
 function point(given, more = new Map()) {
-return $call(Point, [], [...$map([...(function* () { for (const key of $iter($c10)) { if (!(($in(key, given)))) continue; yield [key, $at(given, key)]; } })()]), ...more]);
+return $call(Point, [], [...$map([...(function* () { for (const key of $iter($ca18b)) { if (!(($in(key, given)))) continue; yield [key, $at(given, key)]; } })()]), ...more]);
 }
 $sig(point, ["given"], true);
 (own = $call(point, [path], [["diameter", $at(record, "diameter")]]));
@@ -353,7 +353,7 @@ return [digits__rounded(number, digits), unit];
 function display__unit_row(dimension, system) {
 let larger, more, one, unit, zero;
 
-([unit, more] = $at($at($c11, system), dimension));
+([unit, more] = $at($at($cd5a9, system), dimension));
 if (($eq(dimension, "temperature"))) {
 (zero = parse__parse_quantity(("" + "0 " + $str(unit)), dimension));
 (one = parse__parse_quantity(("" + "1 " + $str(unit)), dimension));
@@ -366,7 +366,7 @@ const $kept_display__unit_row = new Map();
 function parse__parse_quantity(value, dimension) {
 let kind, problem;
 
-(kind = $at($c12, dimension));
+(kind = $at($c22c8, dimension));
 if (($truth($b.isinstance(value, "int", "float")) && !$truth($b.isinstance(value, "bool")))) {
 if (($eq(dimension, "number"))) {
 return numbers__finite(value, value);
@@ -402,7 +402,7 @@ return errors__input_error(message, remedy, undefined, undefined, $shown(given))
 }
 function parse___no_unit(value, dimension) {
 let kind, message;
-(kind = $at($c12, dimension));
+(kind = $at($c22c8, dimension));
 (message = ("" + "no unit, where " + $str(kind.name) + " is needed"));
 return parse___refused(value, message, ("" + "Write the unit too, for example " + $str($shown($bound(kind, "example"))) + "."));
 }
@@ -426,13 +426,13 @@ if (($b.len(text) > 80)) {
 throw numbers___refused(text, ("" + "longer than " + $str(80) + " characters"), "Shorten it.");
 }
 (stripped = $m.strip(text));
-(match = $m.match($c13, stripped));
+(match = $m.match($c7c8f, stripped));
 if ((match == null)) {
 throw numbers___malformed(text, stripped);
 }
 (rest = $m.strip($slice(stripped, $m.end(match), null)));
-(inverse_unit = $and(($m.end(match) < $b.len(stripped)), () => $m.match($c19, rest)));
-if (($truth(rest) && ($truth($m.match($c20, rest)) || $truth($m.isdecimal($at(rest, 0)))) && !$truth(inverse_unit))) {
+(inverse_unit = $and(($m.end(match) < $b.len(stripped)), () => $m.match($cf432, rest)));
+if (($truth(rest) && ($truth($m.match($c9926, rest)) || $truth($m.isdecimal($at(rest, 0)))) && !$truth(inverse_unit))) {
 throw numbers___malformed(text, stripped);
 }
 return [numbers___decimal($m.group(match), text), rest];
@@ -440,13 +440,13 @@ return [numbers___decimal($m.group(match), text), rest];
 function numbers___malformed(text, stripped) {
 let digits, head, message, rest;
 
-(head = $m.match($c14, stripped));
+(head = $m.match($cf327, stripped));
 (digits = ($truth(head) ? $m.strip($m.group(head)) : ""));
 (rest = ($truth(head) ? $m.strip($slice(stripped, $b.len($m.group(head)), null)) : ""));
 if (!$truth(stripped)) {
 return numbers___refused(text, "empty, where a number is needed", "Write a number.");
 }
-if ($truth($m.match($c15, stripped))) {
+if ($truth($m.match($ccb7f, stripped))) {
 return numbers___refused(text, "not a finite number", "Give the size that was measured or meant.");
 }
 if ($truth($b.any((function* () { for (const c of $iter(stripped)) { yield $and($m.isdecimal(c), () => !$truth($m.isascii(c))); } })()))) {
@@ -456,9 +456,9 @@ if (($in(",", digits))) {
 (message = "a comma can mean a decimal point or a thousands separator");
 return numbers___refused(text, message, numbers___write(numbers___comma_readings(digits), rest));
 }
-if (($truth($m.search($c17, digits)) && (!$in("/", digits)))) {
+if (($truth($m.search($ced43, digits)) && (!$in("/", digits)))) {
 (message = "digits in groups can be read as one number or as several");
-return numbers___refused(text, message, numbers___write([$m.sub($c17, "", digits)], rest));
+return numbers___refused(text, message, numbers___write([$m.sub($ced43, "", digits)], rest));
 }
 if (($in("/", digits))) {
 return numbers___refused(text, "a fraction, where a decimal number is needed", "Type digits and a decimal point, such as 1234.5.");
@@ -471,11 +471,11 @@ return numbers___refused(text, "not a plain number", "Type digits and a decimal 
 function numbers___comma_readings(digits) {
 let _, bare_whole, decimal, decimals, exponent, joined, power, readings, whole;
 
-(exponent = $m.search($c16, digits));
+(exponent = $m.search($c0f01, digits));
 (power = ($truth(exponent) ? $m.group(exponent) : ""));
-(joined = $m.sub($c17, "", $m.removesuffix(digits, power)));
+(joined = $m.sub($ced43, "", $m.removesuffix(digits, power)));
 ([whole, _, decimals] = $m.rpartition(joined, ","));
-(bare_whole = $m.sub($c18, "", whole));
+(bare_whole = $m.sub($cb5cc, "", whole));
 (readings = [$m.replace(joined, ",", "")]);
 if (((!$in(",", whole)) && (!$in(".", decimals)))) {
 (decimal = ("" + $str(bare_whole) + "." + $str(decimals)));
@@ -484,14 +484,14 @@ if (((!$in(",", whole)) && (!$in(".", decimals)))) {
 return [...(function* () { for (const reading of $iter(readings)) { yield $add(reading, power); } })()];
 }
 function numbers___write(readings, rest) {
-if (!$truth($b.all((function* () { for (const reading of $iter(readings)) { yield $m.fullmatch($c13, reading); } })()))) {
+if (!$truth($b.all((function* () { for (const reading of $iter(readings)) { yield $m.fullmatch($c7c8f, reading); } })()))) {
 return "Type digits and a decimal point, such as 1234.5.";
 }
 return $add($add("Write ", $m.join(" or ", (function* () { for (const r of $iter(readings)) { yield $shown($m.strip(("" + $str(r) + " " + $str(rest)))); } })())), ".");
 }
 function numbers___decimal(digits, given) {
 let exponent;
-(exponent = $m.search($c16, digits));
+(exponent = $m.search($c0f01, digits));
 if (((exponent != null) && ($b.len($m.lstrip($m.group(exponent, 1), "0")) > 4))) {
 throw numbers___refused(given, "its exponent is out of range", "Check the exponent.");
 }
@@ -499,7 +499,7 @@ return $b.Decimal(digits);
 }
 function parse___checked_unit(text, dimension, given) {
 let error, found, kind, measured, message, unit;
-(kind = $at($c12, dimension));
+(kind = $at($c22c8, dimension));
 try {
 (unit = $once(parse___resolve, $kept_parse___resolve)(text));
 } catch ($error) {
@@ -510,7 +510,7 @@ throw parse___refused(given, $b.str(error), $bound(error, "remedy"));
 }
 if ((!$eq(unit.powers, $once(parse___powers, $kept_parse___powers)(dimension)))) {
 (measured = parse__dimension_of(text));
-(found = ($truth(measured) ? $at($c12, measured).name : "of no dimension used here"));
+(found = ($truth(measured) ? $at($c22c8, measured).name : "of no dimension used here"));
 (message = ("" + $str(found) + ", where " + $str(kind.name) + " is needed"));
 throw parse___refused(given, message, ("" + "Write for example " + $str($shown($bound(kind, "example"))) + "."));
 }
@@ -523,9 +523,9 @@ const $kept_parse___resolve = new Map();
 function parse___units() {
 let definition, known, of, size, unit;
 
-(size = $b.len($c21));
-(known = $map([...(function* () { for (const [i, name] of $iter($b.enumerate($c21))) { yield [name, new Unit($b.Decimal(1), $b.tuple((function* () { for (const j of $iter($b.range(size))) { yield $b.int(($eq(i, j))); } })()))]; } })()]));
-for (definition of $iter($c22)) {
+(size = $b.len($c388d));
+(known = $map([...(function* () { for (const [i, name] of $iter($b.enumerate($c388d))) { yield [name, new Unit($b.Decimal(1), $b.tuple((function* () { for (const j of $iter($b.range(size))) { yield $b.int(($eq(i, j))); } })()))]; } })()]));
+for (definition of $iter($c50ba)) {
 (of = parse___evaluate($bound(definition, "unit"), known));
 (unit = new Unit($mul(definition.factor, of.factor), $bound(of, "powers"), $bound(definition, "zero")));
 $m.update(known, $b.fromkeys(definition.names, unit));
@@ -535,21 +535,21 @@ return known;
 const $kept_parse___units = new Map();
 function parse___evaluate(text, known) {
 let factors, match, message, name, over, plain, power, powers, product, under, unit;
-(plain = $m.replace($m.strip($m.translate(text, $c23)), "**", "^"));
+(plain = $m.replace($m.strip($m.translate(text, $cdac1)), "**", "^"));
 if (($in(plain, known))) {
 return $at(known, plain);
 }
-(match = (($b.len(plain) <= 40) ? $m.fullmatch($c24, plain) : null));
+(match = (($b.len(plain) <= 40) ? $m.fullmatch($c0fad, plain) : null));
 if ((match == null)) {
 throw new _UnitTextError(("" + "the unit " + $str($shown(text)) + " cannot be read"), "Write a product of units with at most one '/', a product below it in brackets: \"kN/m\", \"N m\", \"mm3/(N m)\".");
 }
 ([over, under] = [$or($at(match, "over"), () => ""), $or($at(match, "one"), () => $or($at(match, "under"), () => ""))]);
-(factors = [...(function* () { for (const [name, power] of $iter($m.findall($c25, over))) { yield [name, $b.int($or(power, () => 1))]; } })()]);
-(factors = $add(factors, [...(function* () { for (const [name, power] of $iter($m.findall($c25, under))) { yield [name, $neg($b.int($or(power, () => 1)))]; } })()]));
+(factors = [...(function* () { for (const [name, power] of $iter($m.findall($c09cc, over))) { yield [name, $b.int($or(power, () => 1))]; } })()]);
+(factors = $add(factors, [...(function* () { for (const [name, power] of $iter($m.findall($c09cc, under))) { yield [name, $neg($b.int($or(power, () => 1)))]; } })()]));
 if ((($eq($b.len(factors), 1)) && ($eq($at($at(factors, 0), 1), 1)))) {
 return parse___named($at($at(factors, 0), 0), known);
 }
-(product = new Unit($b.Decimal(1), $mul([0], $b.len($c21))));
+(product = new Unit($b.Decimal(1), $mul([0], $b.len($c388d))));
 for ([name, power] of $iter(factors)) {
 (unit = parse___named(name, known));
 if ($truth(unit.zero)) {
@@ -576,7 +576,7 @@ if ($truth(meant)) {
 throw new _UnitTextError(("" + "unknown unit " + $str($shown(name))), remedy);
 }
 function parse___powers(dimension) {
-return $once(parse___resolve, $kept_parse___resolve)($bound($at($c12, dimension), "si_unit")).powers;
+return $once(parse___resolve, $kept_parse___resolve)($bound($at($c22c8, dimension), "si_unit")).powers;
 }
 const $kept_parse___powers = new Map();
 function parse__dimension_of(unit) {
@@ -592,7 +592,7 @@ return null;
 if ((($in("J", unit)) && ($eq(powers, $once(parse___powers, $kept_parse___powers)("energy_per_area"))))) {
 return "energy_per_area";
 }
-return $b.next((function* () { for (const name of $iter($c26)) { if (!(($eq($once(parse___powers, $kept_parse___powers)(name), powers)))) continue; yield name; } })(), null);
+return $b.next((function* () { for (const name of $iter($c5fbb)) { if (!(($eq($once(parse___powers, $kept_parse___powers)(name), powers)))) continue; yield name; } })(), null);
 }
 function parse__unit_factor(unit, dimension) {
 let resolved;
@@ -680,8 +680,8 @@ let built, ends;
 if (!$truth($b.isinstance(record, Record))) {
 return null;
 }
-(ends = $map([...(function* () { for (const [key, kind] of $iter([["before", $c28], ["after", $c29]])) { if (!($truth($b.isinstance($m.get(record, key), Record)))) continue; yield [key, kind.built($at(record, key), report)]; } })()]));
-(built = $method($c30, "built", [record, report], [...ends]));
+(ends = $map([...(function* () { for (const [key, kind] of $iter([["before", $c5ba2], ["after", $c5263]])) { if (!($truth($b.isinstance($m.get(record, key), Record)))) continue; yield [key, kind.built($at(record, key), report)]; } })()]));
+(built = $method($c7a37, "built", [record, report], [...ends]));
 return built;
 }
 function across_keys__check_width(pulleys, belt, report) {
@@ -707,7 +707,7 @@ report.take(new InputError(problem), [...$iter(across.place), key]);
 function drive_build__build_criteria(record, report) {
 let parts;
 
-(parts = $map([...(function* () { for (const e of $iter($c32)) { yield [e.attribute, e.kind.built($m.get(record, $bound(e, "key")), report)]; } })()]));
+(parts = $map([...(function* () { for (const e of $iter($cf50e)) { yield [e.attribute, e.kind.built($m.get(record, $bound(e, "key")), report)]; } })()]));
 return $call(Criteria, [], [...$map([...(function* () { for (const [name, part] of $iter($m.items(parts))) { if (!((part != null))) continue; yield [name, part]; } })()])]);
 }
 function drive_file___load_cases(record, pulleys, built_belt, take_up, report) {
@@ -722,7 +722,7 @@ report.take(new InputError(problem), []);
 if ((($b.len($b.set(names)) < $b.len($or($m.get(record, "pulley"), () => []))) || !$truth($b.isinstance(belt, Record)))) {
 return [];
 }
-(sure = $and(belt.sound("speed"), () => $b.all((function* () { for (const item of $iter(pulleys)) { yield item.sound(...$iter($c33)); } })())));
+(sure = $and(belt.sound("speed"), () => $b.all((function* () { for (const item of $iter(pulleys)) { yield item.sound(...$iter($c6fe1)); } })())));
 (speed = $m.get(belt, "speed"));
 (own = [...(function* () { for (const item of $iter(pulleys)) { yield Given.of($at(item, "name"), item, drive_file___pulled_at(item, built_belt)); } })()]);
 (built = []);
@@ -865,7 +865,7 @@ let key, made, message, place, pulls, remedy, side, tension, told, what, why;
 try {
 (told = $m.join(" and ", (function* () { for (const key of $iter(pulls)) { yield $m.strip(("" + $str($m.replace(key, "_", " ")) + " " + $str($m.get(item.raw, key, "")))); } })()));
 (why = ($truth(told) ? ("" + "computed from " + $str(told)) : "that of the neighbouring pulley"));
-(made = $map([...(function* () { for (const [key, name] of $iter($m.items($c34))) { if (!(($b.getattr($bound(item, "values"), name) == null))) continue; yield [key, why]; } })()]));
+(made = $map([...(function* () { for (const [key, name] of $iter($m.items($c7939))) { if (!(($b.getattr($bound(item, "values"), name) == null))) continue; yield [key, why]; } })()]));
 return new Tensions(entry, exit_, made);
 } catch ($error) {
 if ($error instanceof InputError) {
@@ -940,7 +940,7 @@ function conveyor_build___refuse_tensions(record, pulleys, report) {
 let key, pulley;
 
 for (pulley of $iter(pulleys)) {
-for (key of $iter((function* () { for (const key of $iter($c33)) { if (!(($in(key, pulley)))) continue; yield key; } })())) {
+for (key of $iter((function* () { for (const key of $iter($c6fe1)) { if (!(($in(key, pulley)))) continue; yield key; } })())) {
 report.add([...$iter(pulley.place), key], "the [conveyor] table gives the tensions already", "Leave it out, or the [conveyor] table.", $at(pulley.raw, key));
 }
 }
@@ -956,7 +956,7 @@ if ((speed != null)) {
 $put(more, "speed", speed);
 }
 if ($truth(given.sound())) {
-(conveyor = $method($c35, "built", [given, report], [...more]));
+(conveyor = $method($ce84a, "built", [given, report], [...more]));
 return conveyor;
 }
 (unsure = $or(!$truth($b.isinstance(belt, Record)), () => !$truth(belt.sound("speed"))));
@@ -970,7 +970,7 @@ function conveyor__choices(given) {
 let example, first, key, message, problems, remedy, second;
 
 (problems = []);
-for ([first, second, example] of $iter($c36)) {
+for ([first, second, example] of $iter($cbf28)) {
 if ((($in(first, given)) && ($in(second, given)))) {
 (message = ("" + $str(first) + " and " + $str(second) + " both say the same"));
 $m.append(problems, new Problem(message, "Leave one of them out.", undefined, second));
@@ -981,7 +981,7 @@ $m.append(problems, new Problem("missing", remedy, undefined, first, undefined, 
 }
 }
 }
-for (key of $iter($c37)) {
+for (key of $iter($cf0bc)) {
 if ((($in(key, given)) && (!$in("speed", given)))) {
 (remedy = "Write speed = \"3 m/s\" in [belt].");
 $m.append(problems, new Problem("needs the belt speed", remedy, undefined, key));
@@ -1009,7 +1009,7 @@ if ((!$truth(report.problems) || (belt == null) || !$truth($b.isinstance(record,
 return null;
 }
 (found = [...(function* () { for (const [key, least] of $iter($m.items(tensions))) { for (const p of $iter(drive__flying_problems(belt, key, least))) { yield p; }} })()]);
-if ($truth(record.sound(...$iter($c6), "thickness"))) {
+if ($truth(record.sound(...$iter($c2d22), "thickness"))) {
 (found = $add(found, drive__side_problems(belt, [...(function* () { for (const pulley of $iter(pulleys)) { if (!((pulley != null))) continue; yield pulley; } })()])));
 }
 if ($truth(found)) {
@@ -1034,7 +1034,7 @@ return pitch__centrifugal_force($bound(belt, "mass"), $bound(belt, "speed"));
 }
 function drive__side_problems(belt, pulleys) {
 
-if ($truth($b.all((function* () { for (const key of $iter([...$iter($c6), "thickness"])) { yield ($b.getattr(belt, key) == null); } })()))) {
+if ($truth($b.all((function* () { for (const key of $iter([...$iter($c2d22), "thickness"])) { yield ($b.getattr(belt, key) == null); } })()))) {
 return [];
 }
 return [...(function* () { for (const pulley of $iter(pulleys)) { if (!((($eq(pulley.side, "carry")) && $truth($math.isnan(pitch__touching_cover(pitch__layers_of(belt), true)))))) continue; yield new Problem("the pulley meets the carry side, and carry_cover of the belt is not given", "Give carry_cover = \"5 mm\" in [belt], or thickness with the other layers.", undefined, ("" + "pulley." + $str(pulley.name) + ".side"), $shown($bound(pulley, "side"))); } })()];
@@ -1061,7 +1061,7 @@ if ((!$in("train", document))) {
 (drive = drive_file__drive_from_document(document, file, folder, undefined, allow_paths));
 return Train.of(drive);
 }
-([record, report] = source__read_tables($c38, document, file));
+([record, report] = source__read_tables($c8e8b, document, file));
 (belt_record = $m.get(record, "belt"));
 (belt = ($truth($b.isinstance(belt_record, Record)) ? drive_build__build_belt(belt_record, report) : null));
 (own = $m.get(record, "lagging"));
@@ -1102,7 +1102,7 @@ let case_, key, message, pulley, remedy;
 
 (message = "the tensions of single pulleys follow from [train]");
 for (pulley of $iter(pulleys)) {
-for (key of $iter((function* () { for (const key of $iter($c33)) { if (!(($in(key, pulley)))) continue; yield key; } })())) {
+for (key of $iter((function* () { for (const key of $iter($c6fe1)) { if (!(($in(key, pulley)))) continue; yield key; } })())) {
 report.add([...$iter(pulley.place), key], message, "Leave it out.", $at(pulley.raw, key));
 }
 }
@@ -1135,7 +1135,7 @@ if ($truth($b.isinstance(step, "int"))) {
 (text = $add(text, ("" + "[" + $str(step) + "]")));
 continue;
 }
-(key = ($truth($m.fullmatch($c39, step)) ? step : $shown(step)));
+(key = ($truth($m.fullmatch($ca366, step)) ? step : $shown(step)));
 (text = $add(text, ($truth(text) ? ("" + "." + $str(key)) : key)));
 }
 return text;
@@ -1239,7 +1239,7 @@ function in_page_checks__result_of(arc, found) {
 let of;
 
 (of = found.summary);
-return new FoundArc(($truth($told($c40, found, "solved")) ? "The pulley carries its load." : "Breakaway: no creep makes enough friction for this tension ratio. Raise the slack-side tension (take-up), enlarge the wrap angle, or choose a lagging with more friction."), "distributed", arc, null, of.entry_tension, of.exit_tension, of.exit_creep, of.creep_shrinkage, of.creep_compression, of.creep_global, of.exit_slip, of.entry_creep_ratio, of.exit_creep_ratio, of.peak_shear_stress, of.peak_shear_angle, of.peak_shear_position, of.mean_friction, of.active_arc, of.outside_tested_share, of.stuck_arc, found.capacities, of, found);
+return new FoundArc(($truth($told($c4a3b, found, "solved")) ? "The pulley carries its load." : "Breakaway: no creep makes enough friction for this tension ratio. Raise the slack-side tension (take-up), enlarge the wrap angle, or choose a lagging with more friction."), "distributed", arc, null, of.entry_tension, of.exit_tension, of.exit_creep, of.creep_shrinkage, of.creep_compression, of.creep_global, of.exit_slip, of.entry_creep_ratio, of.exit_creep_ratio, of.peak_shear_stress, of.peak_shear_angle, of.peak_shear_position, of.mean_friction, of.active_arc, of.outside_tested_share, of.stuck_arc, found.capacities, of, found);
 }
 function in_page_checks__train_drive(train, case_, pairs) {
 
@@ -1280,13 +1280,13 @@ for (pulley of $iter(drive.pulleys)) {
 ([grounds, _] = of_data__law_words($bound(pulley, "lagging")));
 (found = $add(found, [...$iter(grounds), ...$iter((function* () { for (const [kind, _] of $iter(of_data__weak_sources(drive, pulley))) { yield kind; } })())]));
 }
-return [...(function* () { for (const kind of $iter($c42)) { if (!(($in(kind, found)))) continue; yield kind; } })()];
+return [...(function* () { for (const kind of $iter($c5dd1)) { if (!(($in(kind, found)))) continue; yield kind; } })()];
 }
 function of_data__law_words(lagging) {
 let friction, law, untested, words;
 
 ([law, friction] = [$b.str($bound(lagging.source_of("law"), "kind")), ("" + "The friction of " + $str(lagging.name) + " is")]);
-(words = (($in(law, $c41)) ? [("" + $str(friction) + " " + $str($at($c41, law)) + ".")] : []));
+(words = (($in(law, $cf933)) ? [("" + $str(friction) + " " + $str($at($cf933, law)) + ".")] : []));
 (untested = (lagging.law.tested == null));
 (words = $add(words, ($truth(untested) ? [("" + $str(friction) + " given without tests.")] : [])));
 return [[law, ...$iter(($truth(untested) ? ["untested"] : []))], words];
@@ -1333,16 +1333,16 @@ return numbers__idles($bound(arc, "entry_tension"), $bound(arc, "exit_tension"))
 function judge__judge(result) {
 let most, one, over, verdict;
 
-if ((!$in(result, $c43))) {
+if ((!$in(result, $c66b4))) {
 (verdict = new Verdict(judge__sound(judge__every_check(result), least_tension__least_tension(result))));
 if ((verdict.level === "OK")) {
 (one = ($truth($b.isinstance(result, TrainResult)) ? result.drive_result() : result));
 ([most, over] = judge___wet(one));
 (verdict = $replaced(verdict, new Map([["wet", most], ["over_wet", over]])));
 }
-$put($c43, result, verdict);
+$put($c66b4, result, verdict);
 }
-return $at($c43, result);
+return $at($c66b4, result);
 }
 function judge__every_check(result) {
 
@@ -1390,7 +1390,7 @@ if (($truth(case_.adrift) || ($in(case_.status, ["No operating point: a motor wo
 yield of_train__operating_point($bound(case_, "status"), $bound(case_, "reason"), place, overrun);
 }
 (several = ($b.len($bound(case_, "members")) > 1));
-if (!$truth($told($c40, case_.status, "solved"))) {
+if (!$truth($told($c4a3b, case_.status, "solved"))) {
 yield* $iter(($truth(several) ? of_train__not_working(place) : []));
 return null;
 }
@@ -1499,7 +1499,7 @@ function of_train__train_balance(error, place) {
 let words;
 
 (words = new Words("Tensions, speeds and torques of the train agree", "tolerance of the program", "out of balance", "Tensions, speeds and torques of the train miss each other by {value}.", undefined, undefined, "Please report the drive file; until then change a value slightly."));
-return $c44.judged(error, 1e-05, place, words);
+return $cb138.judged(error, 1e-05, place, words);
 }
 function of_train___motor(member, motor, case_, helps) {
 let at, momentary;
@@ -1515,12 +1515,12 @@ let name, why;
 
 (name = ($truth(momentary) ? "momentary_load" : "motor_load"));
 (why = "a drive that follows another gives no rating of its motors");
-return rule__not_checked(name, $at($c45, momentary), why, place);
+return rule__not_checked(name, $at($c625f, momentary), why, place);
 }
 function of_train__motor_load(load, most, momentary, place, helps) {
 let other, remedy, title, words;
 
-(title = $at($c45, momentary));
+(title = $at($c625f, momentary));
 (remedy = "Divide the load otherwise (diameters, speeds, torque sharing), or take larger motors.");
 if (!$truth(helps)) {
 (remedy = "Take larger motors: no other division of the load helps.");
@@ -1530,7 +1530,7 @@ if ($truth(momentary)) {
 (remedy = ("" + "Start and stop more slowly, " + $str(other) + "or take larger motors."));
 }
 (words = new Words(title, ($truth(momentary) ? "IEC 60034-1: 1.6 times the rated torque for 15 s; no stall at 90 % of the voltage (NEMA MG 1-12.44, condensed edition of 2011: torque falls with its square)" : "rating of the motor, continuous duty"), "motor overloaded", "The motors work at {percent} % of their rated torque, and may at {most} %.", "The usual service factor, 1.15, does not cover that (NEMA MG 1-14.37: up to that of the nameplate).", undefined, remedy, undefined, $map([["percent", [$mul(100.0, $b.abs(load)), "number"]], ["most", [$mul(100.0, most), "number"]]])));
-return ($truth(momentary) ? $c46 : $c47).judged($b.abs(load), most, place, words);
+return ($truth(momentary) ? $c58a5 : $c0dbc).judged($b.abs(load), most, place, words);
 }
 function* of_train__meetings(case_) {
 let ends, one, other, place;
@@ -1554,11 +1554,11 @@ let division, kinds, motor, pulley, turns;
 (division = $at(train.cases, 0).division);
 if (($truth($b.isinstance(division, Speeds)) && $truth(division.absolute))) {
 for ([pulley, turns] of $iter($b.zip($bound(train, "pulleys"), $bound(division, "rotation_speeds"), $k({strict: true})))) {
-yield new Owner(turns, $c48, "", new Place($bound(pulley, "name")));
+yield new Owner(turns, $c576d, "", new Place($bound(pulley, "name")));
 }
 }
 for ([pulley, motor] of $iter($b.zip($bound(train, "pulleys"), ($truth($b.isinstance(division, Motors)) ? division.motors : []), $k({strict: false})))) {
-(kinds = ($truth($b.isinstance(motor, Motor)) ? $c49 : ["TorqueFollower"]));
+(kinds = ($truth($b.isinstance(motor, Motor)) ? $c87cd : ["TorqueFollower"]));
 yield new Owner(motor, kinds, ("" + "of the motor of pulley " + $str(pulley.name)), new Place($bound(pulley, "name")));
 }
 }
@@ -1588,8 +1588,8 @@ let index, pulley, result, rule, spot;
 for ([index, result] of $iter($b.enumerate(arcs))) {
 (pulley = drive.pulley($bound(result.arc, "pulley")));
 yield of_arc__grip(drive, case_, arcs, index);
-(spot = of_arc__spot_of(drive, case_, pulley, result));
-for (rule of $iter($c52)) {
+(spot = rules__spot_of(drive, case_, pulley, result));
+for (rule of $iter($cedd5)) {
 yield* $iter(rule.checks(spot));
 }
 if (($truth($b.all((function* () { for (const arc of $iter(arcs)) { yield rule__idle($bound(arc, "arc")); } })())) || ((result.arc.side < 0.0) && !$truth(rule__idle($bound(result, "arc")))))) {
@@ -1621,8 +1621,8 @@ function of_arc__of_sliding(drive, case_, result, found) {
 let by, check, factor, first, gone, lagging, place, rule, safety, says, take_up, title, value, words;
 
 ([safety, take_up, lagging] = [drive.criteria.safety, drive.criteria.take_up, result.arc.pulley]);
-([rule, factor, gone] = [$c50, safety.of($bound(case_, "kind")), !$truth($told($c40, result.status, "solved"))]);
-([by, first] = $at($c51, found.cause));
+([rule, factor, gone] = [$c84c4, safety.of($bound(case_, "kind")), !$truth($told($c4a3b, result.status, "solved"))]);
+([by, first] = $at($c48c7, found.cause));
 (title = ("" + $str($m.format("Safety against gross slip, {}", [$bound(case_, "kind")], $map([]))) + ", " + $str(by)));
 (place = new Place($bound(result.arc, "pulley"), $bound(case_, "name")));
 if (($truth($math.isnan($bound(found, "place"))) && !$truth(gone))) {
@@ -1652,20 +1652,21 @@ return "T1 + T2 held (fixed take-up)";
 (where = ($truth(take_up.after) ? ("" + "tension behind pulley " + $str(take_up.after)) : "T2"));
 return ("" + $str(check__escaped(where)) + " held (gravity take-up)");
 }
-function of_arc__spot_of(drive, case_, pulley, result = null) {
-let belt, creep, driving, first, known, last, shear, slack, slip, speed, tensions;
+function rules__spot_of(drive, case_, pulley, result = null) {
+let belt, driving, first, known, last, slack, tensions;
 
 ([tensions, belt] = [$at(case_.tensions, pulley.name), drive.belt]);
-(known = $and((result != null), () => $told($c40, result.status, "solved")));
-(creep = NaN); (slip = creep); (speed = slip); (shear = speed);
-if (((result != null) && $truth(known))) {
-([creep, shear] = [$b.abs($bound(result, "exit_creep")), result.peak_shear_stress]);
-([slip, speed] = [in_page_checks__largest_slip(result), in_page_checks__slip_speed(result)]);
-}
+(known = $and((result != null), () => $told($c4a3b, result.status, "solved")));
 ([first, last] = [$at(drive.pulleys, 0), $at(drive.pulleys, $neg(1))]);
 (driving = ($at(case_.tensions, first.name).entry >= $at(case_.tensions, last.name).exit));
 (slack = ($truth(driving) ? last : first));
-return new Spot(drive, case_, pulley, new Place($bound(pulley, "name"), $bound(case_, "name")), new State($b.max($bound(tensions, "entry"), $bound(tensions, "exit")), $b.min($bound(tensions, "entry"), $bound(tensions, "exit")), (($eq(pulley.name, slack.name)) ? drive.slack_end(case_) : NaN), belt.width, pulley.diameter, ((belt.breaking_strength == null) ? NaN : belt.breaking_strength), pitch__centrifugal_of(belt), drive.creep_limit_of(pulley), creep, slip, speed, shear, NaN), result, (((result == null) || $truth(known)) ? "" : of_arc__no_state(result)));
+return new Spot(drive, case_, pulley, new Place($bound(pulley, "name"), $bound(case_, "name")), new State($b.max($bound(tensions, "entry"), $bound(tensions, "exit")), $b.min($bound(tensions, "entry"), $bound(tensions, "exit")), (($eq(pulley.name, slack.name)) ? drive.slack_end(case_) : NaN), belt.width, pulley.diameter, ((belt.breaking_strength == null) ? NaN : belt.breaking_strength), pitch__centrifugal_of(belt), drive.creep_limit_of(pulley), NaN, (((result != null) && $truth(known)) ? rules___found(result) : $map([]))), result, (((result == null) || $truth(known)) ? "" : of_arc__no_state(result)));
+}
+function rules___found(result) {
+let course;
+
+(course = $map([["largest_slip", in_page_checks__largest_slip], ["slip_speed", in_page_checks__slip_speed]]));
+return $map([...(function* () { for (const name of $iter($cc89a)) { yield [name, (($in(name, course)) ? $at(course, name)(result) : $b.abs($b.getattr(result, name)))]; } })()]);
 }
 function in_page_checks__largest_slip(result) {
 
@@ -1747,8 +1748,8 @@ function* judge__diameters(drive) {
 let pulley, spot;
 
 for (pulley of $iter(drive.pulleys)) {
-(spot = of_arc__spot_of(drive, $at(drive.load_cases, 0), pulley));
-yield* $iter($c53.checks($replaced(spot, new Map([["place", new Place($bound(pulley, "name"))]]))));
+(spot = rules__spot_of(drive, $at(drive.load_cases, 0), pulley));
+yield* $iter($ca865.checks($replaced(spot, new Map([["place", new Place($bound(pulley, "name"))]]))));
 }
 }
 function* usual__usual_sizes(drive, ...others) {
@@ -1766,11 +1767,11 @@ function* usual___others(drive, others) {
 let ends, fabric, lagging, owner, place, pulley, rating, solid, stiff, width;
 for (owner of $iter([...$iter(usual___owners(drive)), ...$iter(others)])) {
 yield* $iter(usual___of_owner(owner));
-if (($in(owner.kinds, [$c49, $c48]))) {
+if (($in(owner.kinds, [$c87cd, $c576d]))) {
 yield* $iter(usual___turning(drive, owner));
 }
 }
-yield* $iter(usual___motor_sizes(drive, [...(function* () { for (const o of $iter(others)) { if (!(($eq(o.kinds, $c49)))) continue; yield o.of; } })()]));
+yield* $iter(usual___motor_sizes(drive, [...(function* () { for (const o of $iter(others)) { if (!(($eq(o.kinds, $c87cd)))) continue; yield o.of; } })()]));
 if ((drive.conveyor != null)) {
 yield* $iter(usual___conveyor_sizes($bound(drive, "conveyor"), $bound(drive.belt, "width")));
 }
@@ -1786,9 +1787,9 @@ yield usual__unusual(("" + "mass of pulley " + $str(pulley.name)), "mass", place
 }
 }
 ([rating, stiff] = [drive.belt.rating, drive.belt.modulus]);
-(fabric = $and(($eq(drive.belt.kind, "fabric")), () => $and(rating, () => numbers__usual(rating, ...$iter($at($c64, 11))))));
+(fabric = $and(($eq(drive.belt.kind, "fabric")), () => $and(rating, () => numbers__usual(rating, ...$iter($at($c7198, 11))))));
 if (($truth(fabric) && $truth(rating) && !$truth(numbers__usual((stiff / rating), 0.0, 250.0)))) {
-yield usual__unusual("modulus over the rating of the belt", "number", $c57, (stiff / rating), [15.0, 250.0]);
+yield usual__unusual("modulus over the rating of the belt", "number", $cb829, (stiff / rating), [15.0, 250.0]);
 }
 for (lagging of $iter(drive.laggings)) {
 yield* $iter(usual___law_sizes(lagging));
@@ -1817,8 +1818,8 @@ for (pulley of $iter(drive.pulleys)) {
 ([place, of] = [new Place($bound(pulley, "name")), ("" + "of pulley " + $str(pulley.name))]);
 if ((pulley.across != null)) {
 yield new Owner($bound(pulley, "across"), ["Across"], of, place);
-yield new Owner($bound(pulley.across, "before"), $c54, ("" + "before pulley " + $str(pulley.name)), place);
-yield new Owner($bound(pulley.across, "after"), $c54, ("" + "behind pulley " + $str(pulley.name)), place);
+yield new Owner($bound(pulley.across, "before"), $c35d3, ("" + "before pulley " + $str(pulley.name)), place);
+yield new Owner($bound(pulley.across, "after"), $c35d3, ("" + "behind pulley " + $str(pulley.name)), place);
 }
 }
 }
@@ -1826,7 +1827,7 @@ function* usual___of_owner(owner) {
 let check, ends, happening, heights, key, limit, limits, most, name, of, profile, tables, value;
 
 ([of, limits] = [owner.of, $or($b.getattr($bound(owner, "of"), "LIMITS", null), () => $map([]))]);
-(tables = [...$iter(owner.more), ...$iter((function* () { for (const kind of $iter(owner.kinds)) { yield $m.get($c55, kind, $map([])); } })())]);
+(tables = [...$iter(owner.more), ...$iter((function* () { for (const kind of $iter(owner.kinds)) { yield $m.get($ce207, kind, $map([])); } })())]);
 for ([key, limit] of $iter($m.items(limits))) {
 ([ends, value] = [$b.next((function* () { for (const t of $iter(tables)) { if (!(($in(key, t)))) continue; yield $at(t, key); } })(), null), $b.getattr(of, key)]);
 if (($truth(ends) && $truth(value) && !$truth(numbers__usual(value, ...$iter(ends))))) {
@@ -1837,12 +1838,12 @@ yield usual__unusual(name, $bound(limit, "dimension"), $bound(owner, "place"), v
 for (happening of $iter($or($b.getattr(of, "happenings", null), () => []))) {
 if ((happening.at >= of.duration)) {
 (name = ("" + "begin (at) of what happens " + $str(owner.words)));
-(check = usual__unusual(name, "time", $c57, $bound(happening, "at"), [0.0, of.duration]));
+(check = usual__unusual(name, "time", $cb829, $bound(happening, "at"), [0.0, of.duration]));
 yield $replaced(check, new Map([["remedy", "Nothing happens then: give an earlier time."]]));
 }
 }
 if (($in("Across", owner.kinds))) {
-for ([key, most] of $iter($m.items($c58))) {
+for ([key, most] of $iter($m.items($cc9d1))) {
 (profile = $b.getattr(of, key));
 (heights = ((profile == null) ? [] : [profile.largest, $neg($b.min([...$iter(profile.value), 0.0]))]));
 if (($b.max(heights, $k({default: 0.0})) > most)) {
@@ -1857,7 +1858,7 @@ function numbers__usual(value, least, most) {
 return !((value < least) || ((value > most) && $truth($math.isfinite(value))));
 }
 function usual__unusual(name, dimension, place, value, ends) {
-let least, meant, most, near, remedy, small;
+let least, meant, most, near, remedy, small, wraps;
 
 ([least, most] = ends);
 (small = ((least > 0.0) ? least : $mul(0.1, most)));
@@ -1867,10 +1868,11 @@ if (($eq(dimension, "number"))) {
 (near = $b.next((function* () { for (const n of $iter([0.1, 10.0, 0.01, 100.0])) { if (!((least <= $mul(n, value) && $mul(n, value) <= most))) continue; yield n; } })(), null));
 (remedy = ((near == null) ? "Check the number." : ("" + "Is " + $format($mul(near, value), ("" + ".3g")) + " meant?")));
 }
-if ((($eq(dimension, "angle")) && (value > most))) {
+(wraps = $m.startswith(name, "wrap angle"));
+if (($truth(wraps) && (value > most))) {
 (remedy = "Is it the sum of two pulleys? Give each of them its own.");
 } else {
-if ((($eq(dimension, "angle")) && !$truth(meant))) {
+if (($truth(wraps) && !$truth(meant))) {
 (remedy = "Is it what a snub pulley adds to half a turn? Give the sum.");
 }
 }
@@ -1889,7 +1891,7 @@ function parse__meant_by(value, dimension, least, most) {
 let found, inside, number, short, text, unit, units, written;
 
 (found = []);
-(units = $m.get($c56, dimension, []));
+(units = $m.get($c5787, dimension, []));
 for (written of $iter(units)) {
 (number = (value / parse__unit_factor(written, dimension)));
 (short = $b.float(("" + $format(number, ("" + ".3g")))));
@@ -1936,7 +1938,7 @@ if ($truth($b.isinstance(motor, Motor))) {
 (belt = ((drive.belt.speed == null) ? NaN : drive.belt.speed));
 (radius = $add(pulley.radius, $or(pitch__pitch_offset($bound(drive, "belt"), $bound(pulley, "side")), () => 0.0)));
 (values = numbers__compared_motor(power, speed, turns, radius, belt));
-for ([[name, dimension], value, ends] of $iter($b.zip($c59, values, $c60, $k({strict: true})))) {
+for ([[name, dimension], value, ends] of $iter($b.zip($c1429, values, $cbfa6, $k({strict: true})))) {
 if (!$truth(numbers__usual(value, ...$iter(ends)))) {
 (check = usual__unusual(("" + $str(name) + " of pulley " + $str(pulley.name)), dimension, $bound(owner, "place"), value, ends));
 if (($eq(name, "speed of the drum over that of the belt"))) {
@@ -1962,30 +1964,30 @@ let needed, pulls, rated, told;
 (rated = $b.sum((function* () { for (const motor of $iter(motors)) { yield $mul(motor.count, motor.rated_power); } })()));
 if (($truth(rated) && $truth(needed) && !$truth(numbers__usual((rated / needed), 0.0, 6.0)))) {
 (told = "rated power of the motors over that of the largest pull");
-yield usual__unusual(told, "number", $c57, (rated / needed), [0.0, 6.0]);
+yield usual__unusual(told, "number", $cb829, (rated / needed), [0.0, 6.0]);
 }
 }
 function* usual___conveyor_sizes(of, width) {
 let dimension, ends, key, least, load, most, name, odd, slope, value;
 
 (odd = false);
-for ([value, [key, ...ends]] of $iter($b.zip(of.sizes(), $c61, $k({strict: true})))) {
-([least, most] = (function* () { for (const end of $iter(ends)) { yield $mul(end, (($in(key, $c62)) ? width : 1.0)); } })());
+for ([value, [key, ...ends]] of $iter($b.zip(of.sizes(), $ce959, $k({strict: true})))) {
+([least, most] = (function* () { for (const end of $iter(ends)) { yield $mul(end, (($in(key, $c660d)) ? width : 1.0)); } })());
 if (!$truth(numbers__usual(value, least, most))) {
 (odd = true);
 (name = ("" + $str($m.replace(key, "_", " ")) + " of the conveyor"));
-(dimension = $at($c63, key).dimension);
-yield usual__unusual(name, dimension, $c57, value, [least, most]);
+(dimension = $at($ccebb, key).dimension);
+yield usual__unusual(name, dimension, $cb829, value, [least, most]);
 }
 }
 ([load, slope] = [[$mul(0.7, $pow(width, 2)), $mul(700.0, $pow(width, 2))], (of.lift / of.length)]);
 if (!($truth(odd) || $truth(numbers__usual($bound(of, "material"), ...$iter(load))))) {
 (name = "load per length of the full belt (capacity, speed and width)");
-yield usual__unusual(name, "mass_per_length", $c57, $bound(of, "material"), load);
+yield usual__unusual(name, "mass_per_length", $cb829, $bound(of, "material"), load);
 }
 if (!($truth(odd) || $truth(numbers__usual(slope, $neg(0.5), 0.5)))) {
 (name = "lift over length of the conveyor");
-yield usual__unusual(name, "number", $c57, slope, [$neg(0.5), 0.5]);
+yield usual__unusual(name, "number", $cb829, slope, [$neg(0.5), 0.5]);
 }
 }
 function* usual___law_sizes(lagging) {
@@ -1996,11 +1998,11 @@ if ((!$eq(lagging.condition, "dry"))) {
 (of = $add(of, ("" + ", " + $str(lagging.condition))));
 }
 (odd = false);
-for ([key, [name, dimension, ends]] of $iter($m.items($c65))) {
+for ([key, [name, dimension, ends]] of $iter($m.items($cc189))) {
 (value = $b.getattr(tested, key, null));
 if (((value != null) && !$truth(numbers__usual(value, ...$iter(ends))))) {
 (odd = true);
-yield usual__unusual(("" + $str(name) + " of " + $str(of)), dimension, $c57, value, ends);
+yield usual__unusual(("" + $str(name) + " of " + $str(of)), dimension, $cb829, value, ends);
 }
 }
 if ($truth(odd)) {
@@ -2012,8 +2014,8 @@ if ((tested != null)) {
 }
 (law = lagging.law.compact());
 for (friction of $iter([...(function* () { for (const pressure of $iter(pressures)) { yield summary__available(law, slip, pressure); } })()])) {
-if (!$truth(numbers__usual(friction, ...$iter($c66)))) {
-yield usual__unusual(("" + "friction of " + $str(of)), "number", $c57, friction, $c66);
+if (!$truth(numbers__usual(friction, ...$iter($cece7)))) {
+yield usual__unusual(("" + "friction of " + $str(of)), "number", $cb829, friction, $cece7);
 return null;
 }
 }
@@ -2025,10 +2027,10 @@ for (case_ of $iter(drive.load_cases)) {
 for (pulley of $iter(drive.in_case(case_).pulleys)) {
 (names = usual___names(pulley, case_));
 (values = numbers__compared_sizes(usual__sizes_of(drive, case_, pulley)));
-for ([[name, dimension, place], value, [least, most]] of $iter($b.zip(names, values, $c64, $k({strict: true})))) {
+for ([[name, dimension, place], value, [least, most]] of $iter($b.zip(names, values, $c7198, $k({strict: true})))) {
 (made = $or(($in(name, ["modulus over the rating of the belt", "strength over the rating of the belt", "tension that keeps the belt from sagging"])), () => $m.startswith(name, "pressure of the belt at its rating")));
 if (!($truth(numbers__usual(value, least, most)) || ($truth(made) && $truth(odd)))) {
-(size = (($in(dimension, $c67)) ? drive.belt.width : 1.0));
+(size = (($in(dimension, $c5944)) ? drive.belt.width : 1.0));
 (odd = true);
 yield usual__unusual(name, dimension, place, $mul(size, value), [$mul(size, least), $mul(size, most)]);
 }
@@ -2068,8 +2070,8 @@ for ([kind, what] of $iter(of_data__weak_sources(drive, pulley))) {
 $m.append($m.setdefault(found, kind, []), what);
 }
 ([grounds, words] = of_data__law_words(lagging));
-(words = $add(words, [...(function* () { for (const kind of $iter($c42)) { if (!(($in(kind, found)))) continue; yield ("" + $str($m.capitalize(kind)) + ": " + $str($m.join(", ", $b.fromkeys($at(found, kind)))) + "."); } })()]));
-(worst = $b.next((function* () { for (const [kind, word] of $iter($m.items($c68))) { if (!(($in(kind, [...$iter(grounds), ...$iter(found)])))) continue; yield word; } })(), ""));
+(words = $add(words, [...(function* () { for (const kind of $iter($c5dd1)) { if (!(($in(kind, found)))) continue; yield ("" + $str($m.capitalize(kind)) + ": " + $str($m.join(", ", $b.fromkeys($at(found, kind)))) + "."); } })()]));
+(worst = $b.next((function* () { for (const [kind, word] of $iter($m.items($cb216))) { if (!(($in(kind, [...$iter(grounds), ...$iter(found)])))) continue; yield word; } })(), ""));
 return new Check("data", "Data that the answer stands on", "OK", new Place($bound(pulley, "name")), undefined, undefined, undefined, undefined, undefined, worst, check__escaped($m.join(" ", words)), undefined, undefined, undefined, false);
 }
 function least_tension__least_tension(result) {
@@ -2079,10 +2081,10 @@ if (($truth($b.isinstance(result, TrainResult)) && $truth(result.adrift))) {
 return null;
 }
 (one = ($truth($b.isinstance(result, TrainResult)) ? result.drive_result() : result));
-if ((!$in(one, $c69))) {
-$put($c69, one, least_tension__least_of(one, $bound(one, "drive")));
+if ((!$in(one, $cd36e))) {
+$put($cd36e, one, least_tension__least_of(one, $bound(one, "drive")));
 }
-return $at($c69, one);
+return $at($cd36e, one);
 }
 function least_tension__least_of(result, drive) {
 let either, figure, found, given, held, weight, worst;
@@ -2135,7 +2137,7 @@ function* least_tension___figures(drive, case_, arcs, end) {
 let index, least, offset, place, result, rule, spot;
 
 for ([index, result] of $iter($b.enumerate(arcs))) {
-(spot = of_arc__spot_of(drive, case_, drive.pulley($bound(result.arc, "pulley")), result));
+(spot = rules__spot_of(drive, case_, drive.pulley($bound(result.arc, "pulley")), result));
 ([place, offset] = [spot.place, $sub(end, spot.state.slack)]);
 if ($truth(least_tension___pulls(result))) {
 (least = result.capacities.least_exit_tension);
@@ -2144,7 +2146,7 @@ yield* $iter(least_tension___slip(result, offset, place));
 yield* $iter(least_tension___standard(spot, offset));
 yield least_tension___gross_slip(drive, case_, arcs, index, end);
 }
-for (rule of $iter($c52)) {
+for (rule of $iter($cedd5)) {
 yield* $iter(least_tension___of_tension(rule, spot, end));
 }
 }
@@ -2214,7 +2216,7 @@ return design_standard___silent("CEMA", ("" + "its factors for manual take-ups a
 return new Asked(("" + "CEMA, manual take-up, Cw " + $format(factor, ("" + "g"))), factor, "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8)");
 }
 function design_standard___rows(lagging) {
-return $at($c70, (($eq(lagging.surface, "bare")) ? "bare" : "lagged"));
+return $at($c5f1f, (($eq(lagging.surface, "bare")) ? "bare" : "lagged"));
 }
 function design_standard___silent(name, why) {
 return new Asked(name, NaN, "", why);
@@ -2231,7 +2233,7 @@ if (!$truth(lagging.surface)) {
 return [null, design_standard___silent(name, ("" + "lagging " + $str(lagging.name) + " does not say what its surface is"))];
 }
 (condition = $or(standard.condition, () => lagging.condition));
-(found = [...(function* () { for (const d of $iter((() => $c71)())) { if (!((($eq(d.standard, name)) && ($eq(d.surface, lagging.surface))))) continue; yield d; } })()]);
+(found = [...(function* () { for (const d of $iter((() => $c9375)())) { if (!((($eq(d.standard, name)) && ($eq(d.surface, lagging.surface))))) continue; yield d; } })()]);
 (value = $b.next((function* () { for (const d of $iter(found)) { if (!(($in(d.condition, ["", condition])))) continue; yield d; } })(), null));
 if ((value == null)) {
 return [null, design_standard___silent(name, ("" + "it has no value for " + $str(lagging.surface) + " when " + $str(condition)))];
@@ -2285,7 +2287,7 @@ function* least_tension___of_tension(rule, of, end) {
 let allowed, asks, least, limit, more, now, rise, value, words;
 
 ([words, value] = [$and(rule.words, () => rule.words(of)), rule.value]);
-(asks = $and(rule.tension, () => $and((rule.firm == null), () => !$truth(rule.of_solution))));
+(asks = $and(rule.tension, () => (rule.firm == null)));
 if ((!$truth(asks) || (value == null) || (words == null) || $truth(words.missing))) {
 return null;
 }
@@ -2331,9 +2333,9 @@ let both, missed, names;
 
 (missed = [...(function* () { for (const c of $iter(checks)) { if (!($truth(c.missed))) continue; yield [c.name, c.place]; } })()]);
 (names = new Set((function* () { for (const [name, _] of $iter(missed)) { yield name; } })()));
-(both = $and($b.bool($common(names, $c72)), () => $b.bool($common(names, $c73))));
+(both = $and($b.bool($common(names, $c5af9)), () => $b.bool($common(names, $c09e2))));
 function advised(check) {
-if (($in([$m.get($c74, $bound(check, "name"), ""), check.place], missed))) {
+if (($in([$m.get($c3879, $bound(check, "name"), ""), check.place], missed))) {
 return $replaced(check, new Map([["remedy", "Mend first what the even pulley lacks: it fails too."]]));
 }
 if (($truth(check.missed) && $truth(check.otherwise) && !$truth(judge___helps(check, least, both)))) {
@@ -2405,7 +2407,7 @@ return "";
 }
 ([least, given] = [least_tension__at_least($bound(found, "tension")), sheet__named("tension", $bound(found, "given"))]);
 (governs = found.governing);
-(why = $at($c75, governs.name).what);
+(why = $at($c1dc5, governs.name).what);
 if ($truth($math.isinf($bound(found, "tension")))) {
 return least_tension___none(found, result);
 }
@@ -2438,10 +2440,10 @@ if (($truth($math.isinf($bound(governs, "tension"))) && ($eq(governs.name, "desi
 return ("" + "No " + $str(least_tension__least_name(result)) + " keeps every binding check: " + $str(governs.title) + " cannot be applied (" + $str(governs.place) + ").");
 }
 if (($truth($math.isinf($bound(governs, "tension"))) || (top == null))) {
-return ("" + "No " + $str(least_tension__least_name(result)) + " with wrap pressures in the tested range keeps " + $str($at($c75, governs.name).what) + " (" + $str(governs.place) + ").");
+return ("" + "No " + $str(least_tension__least_name(result)) + " with wrap pressures in the tested range keeps " + $str($at($c1dc5, governs.name).what) + " (" + $str(governs.place) + ").");
 }
 ([asked, most] = [least_tension__at_least($bound(governs, "tension")), least_tension__at_most($bound(top, "tension"))]);
-return ("" + "No " + $str(least_tension__least_name(result)) + " keeps every binding check: " + $str($at($c75, governs.name).what) + " asks for " + $str(asked) + " (" + $str(governs.place) + "), and " + $str($at($c75, top.name).what) + " allows " + $str(most) + " (" + $str(top.place) + ").");
+return ("" + "No " + $str(least_tension__least_name(result)) + " keeps every binding check: " + $str($at($c1dc5, governs.name).what) + " asks for " + $str(asked) + " (" + $str(governs.place) + "), and " + $str($at($c1dc5, top.name).what) + " allows " + $str(most) + " (" + $str(top.place) + ").");
 }
 function least_tension__least_name(result) {
 
@@ -2593,7 +2595,7 @@ let arc, brakes, heads, method, of, result, rows, title, values;
 (rows = []);
 for ([result, of] of $iter($b.zip(results, [whole, ...$iter($slice(results, 1, null))], $k({strict: true})))) {
 for (arc of $iter(result)) {
-(method = (($b.len(results) > 1) ? ("" + ", " + $str($at($c76, arc.method))) : ""));
+(method = (($b.len(results) > 1) ? ("" + ", " + $str($at($c9028, arc.method))) : ""));
 (title = ("" + $str(arc.arc.load_case) + ": " + $str(arc.arc.pulley) + $str(method)));
 (values = [...$iter(drive_sheet___summary_values(result, arc)), words__short(of, arc)]);
 $m.append(rows, new Row(title, values, undefined, undefined, undefined, words__level_of(of, arc)));
@@ -2610,9 +2612,9 @@ function cell__unit_of(dimension) {
 return cellOf(0.0, dimension, undefined, "unit");
 }
 function drive_sheet___summary_values(of, result) {
-let arc, creep;
-([arc, creep] = [result.arc, result.exit_creep]);
-return [sheet__number("entry_tension", $bound(arc, "entry_tension")), sheet__number("exit_tension", $bound(arc, "exit_tension")), sheet__number("tension_ratio", (arc.entry_tension / arc.exit_tension)), sheet__number("exit_creep", creep), cell__percent(($b.abs(creep) / arc.creep_limit)), drive_sheet___least(of, result)];
+let arc;
+(arc = result.arc);
+return [sheet__number("entry_tension", $bound(arc, "entry_tension")), sheet__number("exit_tension", $bound(arc, "exit_tension")), sheet__number("tension_ratio", (arc.entry_tension / arc.exit_tension)), sheet__number("exit_creep", $bound(result, "exit_creep")), cell__percent($bound(result, "share_of_limit")), drive_sheet___least(of, result)];
 }
 function sheet__number(name, value) {
 
@@ -2643,7 +2645,7 @@ return cellOf($bound(found, "tension"), "force", 3, "bare up", undefined, "tensi
 function words__alone_of(result, arc) {
 let known;
 
-(known = $m.setdefault($c77, result, $map([])));
+(known = $m.setdefault($c450e, result, $map([])));
 if ((!$in(arc, known))) {
 $put(known, arc, words__alone($bound(result, "drive"), arc));
 }
@@ -2674,13 +2676,13 @@ let carried, case_, drive, first, found, lagging, solved;
 ([first, drive] = [$at(results, 0), result.drive]);
 (case_ = drive.load_case($bound(first.arc, "load_case")));
 (lagging = drive.pulley($bound(first.arc, "pulley")).lagging_in($bound(case_, "condition")));
-(solved = $b.tuple((function* () { for (const other of $iter(results)) { if (!($truth($told($c40, other.status, "solved")))) continue; yield other; } })()));
-(carried = $told($c40, first.status, "solved"));
+(solved = $b.tuple((function* () { for (const other of $iter(results)) { if (!($truth($told($c4a3b, other.status, "solved")))) continue; yield other; } })()));
+(carried = $told($c4a3b, first.status, "solved"));
 (found = $map([["answer", ($truth(solved) ? arc_tables__answer_table(solved) : null)], ["creep", ($truth(solved) ? arc_tables__creep_table(solved) : null)], ["capacity", arc_tables__capacity_table(first)], ["margins", in_page_checks__no_table(result, first)], ["comparison", design_values__comparison_table(first, lagging, of)], ["energy", ($truth(carried) ? arc_tables__energy_table(first) : null)], ["loads", drive_sheet__loads_table(new DriveResult(drive, [first]))], ["wear", ($truth(carried) ? in_page_checks__no_table(first, lagging) : null)], ["life", ($truth(carried) ? wear_table__life_table(first, lagging, of) : null)], ["inputs", input_tables__input_table(drive, $bound(first, "arc"), of)]]));
 return $map([...(function* () { for (const [key, table] of $iter($m.items(found))) { if (!((table != null))) continue; yield [key, table]; } })()]);
 }
 function arc_tables__answer_table(results) {
-let first, g, level, limit, note, notes, pressure, rows, share, sides, told, where;
+let first, g, level, note, notes, pressure, rows, share, sides, told, where;
 
 function row(name, note = "", level = null) {
 let values;
@@ -2689,12 +2691,11 @@ return $call(sheet__row_of, [name, ...$iter(values)], [["note", note], ["level",
 }
 $sig(row, ["name", "note", "level"], false);
 (first = $at(results, 0));
-(limit = first.arc.creep_limit);
-(share = ("" + $str(cell__percent(($b.abs($bound(first, "exit_creep")) / limit))) + " of the limit"));
-(notes = [("" + $str(share) + ", " + $str(sheet__named("creep_limit", limit)))]);
+(share = ("" + $str(cell__percent($bound(first, "share_of_limit"))) + " of the limit"));
+(notes = [("" + $str(share) + ", " + $str(sheet__named("creep_limit", $bound(first.arc, "creep_limit"))))]);
 (notes = $add(notes, ((first.exit_creep < 0.0) ? ["negative: with the belt"] : [])));
 (notes = $add(notes, ($truth((told = arc_tables__creep_interval_text(first))) ? [told] : [])));
-([level, sides] = [arc_tables___creep_level(first), new Set((function* () { for (const r of $iter(results)) { if (!($truth($told($c40, r.status, "solved")))) continue; yield r.within_creep_limit; } })())]);
+([level, sides] = [arc_tables___creep_level(first), new Set((function* () { for (const r of $iter(results)) { if (!($truth($told($c4a3b, r.status, "solved")))) continue; yield r.within_creep_limit; } })())]);
 if (($b.len(sides) > 1)) {
 $m.append(notes, "the methods stand on different sides of it");
 (level = ((level === "OK") ? "ATTENTION" : level));
@@ -2744,7 +2745,7 @@ function sheet__between(name, first, last, form = "to") {
 return cellOf(last, $bound(term(name), "dimension"), 3, form, first, name);
 }
 function arc_tables___creep_level(result) {
-if (!$truth($told($c40, result.status, "solved"))) {
+if (!$truth($told($c4a3b, result.status, "solved"))) {
 return null;
 }
 return ($truth(result.within_creep_limit) ? "OK" : "ATTENTION");
@@ -2776,7 +2777,7 @@ function arc_tables__heads(results) {
 if ((($eq($b.len(results), 1)) && ($eq($at(results, 0).method, "distributed")))) {
 return [""];
 }
-return $b.tuple((function* () { for (const r of $iter(results)) { yield $m.get($c76, $bound(r, "method"), $bound(r, "method")); } })());
+return $b.tuple((function* () { for (const r of $iter(results)) { yield $m.get($c9028, $bound(r, "method"), $bound(r, "method")); } })());
 }
 function arc_tables__creep_table(results) {
 let name, note, row, rows, texts;
@@ -2881,7 +2882,7 @@ return constant_friction__classical_drives($bound(result, "arc"), lagging);
 function constant_friction__classical_drives(arc, lagging) {
 let known;
 
-(known = [...(function* () { for (const value of $iter((() => $c71)())) { if (!(($eq(value.surface, lagging.surface)))) continue; yield value; } })()]);
+(known = [...(function* () { for (const value of $iter((() => $c9375)())) { if (!(($eq(value.surface, lagging.surface)))) continue; yield value; } })()]);
 known.splice(0, Infinity, ...$b.sorted(known, $k({key: ((value) => (!$in(value.condition, ["", lagging.condition])))})));
 return $b.tuple((function* () { for (const value of $iter(known)) { yield constant_friction___classical(arc, value); } })());
 }
@@ -2993,7 +2994,7 @@ function wear_table___life_of(result, lagging) {
 let depth, energy, k, passes, speed;
 ([speed, depth] = [result.arc.belt_speed, $mul(0.5, lagging.thickness)]);
 (energy = $b.abs($bound(result.energy, "frictional_energy")));
-if (((speed == null) || !$truth($told($c40, result.status, "solved")) || (depth <= 0.0) || !(energy > 1e-09))) {
+if (((speed == null) || !$truth($told($c4a3b, result.status, "solved")) || (depth <= 0.0) || !(energy > 1e-09))) {
 return null;
 }
 (passes = pitch__turns_an_hour(speed, $add(result.arc.radius, result.arc.offset)));
@@ -3012,7 +3013,7 @@ return ((worn > 0.0) ? (depth / worn) : Infinity);
 }
 function* wear_table___vendors(lagging, depth, energy, passes) {
 let ends, high, low, row;
-for (row of $iter((() => $c78)())) {
+for (row of $iter((() => $c2342)())) {
 if (($eq(row.surface, lagging.surface))) {
 ([low, high] = row.life_years);
 (ends = (function* () { for (const y of $iter([high, low])) { yield wear__coefficient_of_life(depth, $mul(6000.0, y), energy, passes); } })());
@@ -3087,14 +3088,14 @@ if ((shear != null)) {
 (origin_of = origin("in_plane_shear_stiffness"));
 yield inputs___named(group, "in_plane_shear_stiffness", shear, origin_of);
 }
-for (key of $iter([...$iter($c6), "thickness", "cover_shear_modulus", "mass"])) {
+for (key of $iter([...$iter($c2d22), "thickness", "cover_shear_modulus", "mass"])) {
 if (($b.getattr(belt, key) != null)) {
 (name = $m.get($map([["thickness", "belt_thickness"], ["mass", "belt_mass"]]), key, key));
 yield inputs___named(group, name, $b.getattr(belt, key), origin(key));
 }
 }
 if (($truth(pitch__covered(belt)) && (belt.cover_shear_modulus == null))) {
-yield inputs___named(group, "cover_shear_modulus", 1000000.0, $c79);
+yield inputs___named(group, "cover_shear_modulus", 1000000.0, $c838e);
 }
 }
 function inputs___named(group, name, value, origin, remark = "") {
@@ -3107,7 +3108,7 @@ let by_formula, conditions, group, known, lagging, limit, offset, side, title;
 
 (group = ("" + "Pulley " + $str(pulley.name)));
 function origin(key) {
-return $m.get(pulley.sources, key, $c80);
+return $m.get(pulley.sources, key, $c7015);
 }
 $sig(origin, ["key"], false);
 yield inputs___named(group, "diameter", $bound(pulley, "diameter"), origin("diameter"));
@@ -3133,7 +3134,7 @@ if (!$truth(pulley.recovery)) {
 yield new Input(group, "Recovery of the lagging", "not counted", undefined, undefined, origin("recovery"));
 }
 (limit = drive.creep_limit_of(pulley));
-(known = (($eq(limit, 0.00635)) ? $c81 : $c80));
+(known = (($eq(limit, 0.00635)) ? $c7515 : $c7015));
 yield inputs___named(group, "creep_limit", limit, $m.get(pulley.sources, "creep_limit", known));
 (conditions = (function* () { for (const lagging of $iter($or(pulley.conditions, () => [pulley.lagging]))) { yield lagging.condition; } })());
 ([lagging, title] = [("" + $str(pulley.lagging.name) + " (" + $str($m.join(", ", conditions)) + ")"), pulley.lagging.title]);
@@ -3226,10 +3227,10 @@ if ((($eq(name, tight)) && (drive.belt.rating != null))) {
 (share = cell__percent((value / $mul(drive.belt.rating, drive.belt.width))));
 (used = ("" + $str(share) + " of the belt's rating"));
 }
-(origin = $m.get(pulley.sources, name, $c80));
+(origin = $m.get(pulley.sources, name, $c7015));
 (why = inputs___computed(drive, arc, $m.removesuffix(name, "_tension")));
 if ($truth(why)) {
-([used, origin] = [$m.join("; ", $b.filter(null, [("" + $str($at($c82, name)) + " " + $str(why)), used])), null]);
+([used, origin] = [$m.join("; ", $b.filter(null, [("" + $str($at($cac76, name)) + " " + $str(why)), used])), null]);
 }
 yield inputs___named(group, name, value, origin, used);
 }
@@ -3258,7 +3259,7 @@ let name, path, place, position;
 
 (place = []);
 (path = []);
-for ([name, position] of $iter($m.findall($c83, key))) {
+for ([name, position] of $iter($m.findall($c2862, key))) {
 if ($truth(name)) {
 $m.append(path, name);
 $m.append(place, $m.get(names, $m.join(".", path), name));
@@ -3278,7 +3279,7 @@ if (($truth($b.isinstance(step, "int")) && $truth($b.isinstance(raw, "Sequence")
 if (($truth($b.isinstance(raw, "Mapping")) && ($in(step, raw)))) {
 (raw = $at(raw, step));
 } else {
-return $c7;
+return $c2f8b;
 }
 }
 }
@@ -3288,10 +3289,10 @@ function lagging_build__build_laggings(record, report) {
 let common, found, laws, made, notes, parts, sources;
 
 (found = $b.len($bound(report, "problems")));
-(sources = origins__read_sources(record, $c84, report));
-(common = $map([...(function* () { for (const key of $iter($c85)) { if (!(($in(key, record)))) continue; yield [key, $at(record, key)]; } })()]));
+(sources = origins__read_sources(record, $c246c, report));
+(common = $map([...(function* () { for (const key of $iter($c6dce)) { if (!(($in(key, record)))) continue; yield [key, $at(record, key)]; } })()]));
 $put(common, "provenance", $or(origins__own_provenance(record, report), () => new Provenance()));
-$put(common, "cost", $c86.built($m.get(record, "cost"), report));
+$put(common, "cost", $c5864.built($m.get(record, "cost"), report));
 (common = $merged(common, lagging_build___elasticity(record, sources, $at(common, "provenance"), report)));
 (laws = [...(function* () { for (const law of $iter($m.get(record, "law", []))) { if (!($truth($b.isinstance(law, Record)))) continue; yield law; } })()]);
 (notes = $b.tuple($m.get(record, "notes", [])));
@@ -3310,8 +3311,8 @@ return $or(made, () => []);
 function lagging_build___elasticity(record, sources, provenance, report) {
 let given, known, message, place, remedy, stated;
 
-(given = [...(function* () { for (const key of $iter($c87)) { if (!(($in(key, record)))) continue; yield key; } })()]);
-if (!$truth(record.sound("thickness", ...$iter($c87)))) {
+(given = [...(function* () { for (const key of $iter($c65ce)) { if (!(($in(key, record)))) continue; yield key; } })()]);
+if (!$truth(record.sound("thickness", ...$iter($c65ce)))) {
 return $map([]);
 }
 if ((!$in("thickness", record))) {
@@ -3333,7 +3334,7 @@ if ((!$truth(known) && ($at(record, "thickness") > 0.0))) {
 report.add(place, "missing, and the lagging is not rigid", remedy);
 return $map([]);
 }
-(stated = $map([...(function* () { for (const key of $iter($c88)) { if (!(($in(key, record)))) continue; yield [key, $at(record, key)]; } })()]));
+(stated = $map([...(function* () { for (const key of $iter($c9095)) { if (!(($in(key, record)))) continue; yield [key, $at(record, key)]; } })()]));
 return ($truth(known) ? $merged(lagging_build___estimated(record, sources, provenance, report), stated) : stated);
 }
 function lagging_build___estimated(record, sources, provenance, report) {
@@ -3355,14 +3356,14 @@ if ((!$in("compression_modulus", record))) {
 (young = $mul($at(record, basis), (($eq(basis, "elastic_modulus")) ? 1.0 : 3.0)));
 (shape = $m.get(record, "block", $map([])));
 (height = (($in("height", shape)) ? $map([]) : $map([["height", $at(record, "thickness")]])));
-(least = $at($c89, "height").least);
+(least = $at($cd06c, "height").least);
 if (($truth(height) && $truth(shape) && ($at(record, "thickness") < least))) {
 (message = ("" + "must be at least " + $str(display__display(least, "length")) + ", the height of its blocks"));
 (remedy = "Give the thickness, or a lagging without blocks.");
 report.add([...$iter(record.place), "thickness"], message, remedy, $m.get(record.raw, "thickness"));
 return $map([]);
 }
-(block = $method($c90, "built", [shape, report], [...height]));
+(block = $method($c52db, "built", [shape, report], [...height]));
 $put(moduli, "compression_modulus", ($truth(block) ? compression__compression_modulus(young, block) : young));
 $put(moduli, "block", block);
 (text = lagging_build___compression_note(block, (($eq(basis, "elastic_modulus")) ? "E" : "3 G")));
@@ -3388,7 +3389,7 @@ let found, row, source;
 for (row of $iter($m.get(record, "condition_factor", []))) {
 if (($truth($b.isinstance(row, Record)) && $truth(row.sound()))) {
 (source = origins__read_provenance($at(row, "provenance"), report));
-$put(found, $at(row, "condition"), $method($c91, "built", [row, report], [["source", source]]));
+$put(found, $at(row, "condition"), $method($c49a9, "built", [row, report], [["source", source]]));
 }
 }
 return $map([...(function* () { for (const [name, factor] of $iter($m.items(found))) { if (!((factor != null))) continue; yield [name, factor]; } })()]);
@@ -3406,7 +3407,7 @@ if ($truth($b.isinstance($m.get(law, "condition_source"), Record))) {
 if ((factors != null)) {
 (parts = $merged(parts, factors.sources));
 }
-return $map([["law", ((factors != null) ? factors.used : tested)], ["factors", factors], ["condition", $m.get(law, "condition", "dry")], ["fit", $c98.built($m.get(law, "fit"), report)], ["notes", [...$iter(notes), ...$iter($m.get(law, "notes", []))]], ["sources", $merged(sources, $map([...(function* () { for (const [part, of] of $iter($m.items(parts))) { if (!($truth(of))) continue; yield [part, of]; } })()]))]]);
+return $map([["law", ((factors != null) ? factors.used : tested)], ["factors", factors], ["condition", $m.get(law, "condition", "dry")], ["fit", $cb4b3.built($m.get(law, "fit"), report)], ["notes", [...$iter(notes), ...$iter($m.get(law, "notes", []))]], ["sources", $merged(sources, $map([...(function* () { for (const [part, of] of $iter($m.items(parts))) { if (!($truth(of))) continue; yield [part, of]; } })()]))]]);
 }
 function laws__read_law(record, report) {
 let error, kind, law, names;
@@ -3415,7 +3416,7 @@ if (!$truth(record.sound())) {
 return null;
 }
 (kind = $at(record, "kind"));
-(names = $merged($c92, $map([["pressure", $m.get($c93, kind, "tested_pressure")]])));
+(names = $merged($cf9e0, $map([["pressure", $m.get($c2f5d, kind, "tested_pressure")]])));
 try {
 
 if (($eq(kind, "integral-log"))) {
@@ -3424,7 +3425,7 @@ if (($eq(kind, "integral-log"))) {
 if (($eq(kind, "table"))) {
 (law = laws___table(record));
 } else {
-(law = $method($c94, "built", [record, report], [["tested", laws___tested(record)]]));
+(law = $method($c4eae, "built", [record, report], [["tested", laws___tested(record)]]));
 }
 }
 if (((law != null) && ($in("slip_includes", record)))) {
@@ -3607,7 +3608,7 @@ return terms;
 }
 function trends___grammar() {
 
-return $c95;
+return $cfe34;
 }
 const $kept_trends___grammar = new Map();
 function trends___refused(text, message) {
@@ -3708,7 +3709,7 @@ function lagging_build___factors(tested, law, record, report) {
 let found, key, made, source, table, tables;
 
 (tables = $map([]));
-for ([key, table] of $iter([["slip_speed", $c96], ["temperature", $c97]])) {
+for ([key, table] of $iter([["slip_speed", $cd525], ["temperature", $c50d3]])) {
 if (($in(("" + $str(key) + "_factor"), law))) {
 (source = origins__read_provenance($m.get($at(law, ("" + $str(key) + "_factor")), "provenance"), report));
 (found = $method(table, "built", [$at(law, ("" + $str(key) + "_factor")), report], [["source", source]]));
@@ -3767,7 +3768,7 @@ return lagging_file___checked_record(parsed(text, file), file);
 function lagging_file___checked_record(document, file) {
 let record, report;
 
-([record, report] = source__read_tables($c99, document, file));
+([record, report] = source__read_tables($c904b, document, file));
 if ($truth(report.problems)) {
 lagging_build__build_laggings(record, report);
 report.raise_all();
@@ -3803,7 +3804,7 @@ let own, provenance, sources;
 
 (own = $or($m.get(given, "provenance"), () => drive_build___given_instead(given)));
 (sources = $map([...(function* () { for (const [key, of] of $iter($m.items($m.get(base, "sources", $map([]))))) { if (!((!$in(key, given)))) continue; yield [key, of]; } })()]));
-(sources = $merged(sources, $map([...(function* () { for (const key of $iter(given)) { if (!(($in(key, $c101)))) continue; yield [key, own]; } })()])));
+(sources = $merged(sources, $map([...(function* () { for (const key of $iter(given)) { if (!(($in(key, $c31a8)))) continue; yield [key, own]; } })()])));
 (provenance = (($in("provenance", base)) ? $map([["provenance", $at(base, "provenance")]]) : $map([])));
 return $map([["sources", $merged(sources, $m.get(given, "sources", $map([])))], ...provenance]);
 }
@@ -3830,11 +3831,11 @@ return problems;
 function conditions__design_ratio(standard, surface, condition, tested = "dry") {
 let band, dry, here, high, known, low, note, source, there;
 
-(there = [...(function* () { for (const d of $iter((() => $c71)())) { if (!((($eq(d.standard, standard)) && ($eq(d.surface, surface))))) continue; yield d; } })()]);
+(there = [...(function* () { for (const d of $iter((() => $c9375)())) { if (!((($eq(d.standard, standard)) && ($eq(d.surface, surface))))) continue; yield d; } })()]);
 (here = $b.next((function* () { for (const d of $iter(there)) { if (!(($eq(d.condition, condition)))) continue; yield d; } })(), null));
 (dry = $b.next((function* () { for (const d of $iter(there)) { if (!(($eq(d.condition, tested)))) continue; yield d; } })(), null));
 if (((here == null) || (dry == null))) {
-(known = $b.sorted(new Set((function* () { for (const d of $iter((() => $c71)())) { if (!($truth(d.condition))) continue; yield d.standard; } })())));
+(known = $b.sorted(new Set((function* () { for (const d of $iter((() => $c9375)())) { if (!($truth(d.condition))) continue; yield d.standard; } })())));
 throw errors__input_error(("" + "no design values of surface " + $str($shown(surface)) + " both " + $str(tested) + " and " + $str(condition)), ("" + $str($m.join(", ", known)) + " have dry, wet, and wet and dirty; or state a factor."), undefined, ("" + "condition." + $str(condition)), $shown(standard));
 }
 ([low, high] = [($at(here.friction, 0) / $at(dry.friction, 1)), ($at(here.friction, 1) / $at(dry.friction, 0))]);
@@ -3851,7 +3852,7 @@ return (($eq(low, high)) ? ("" + $format(low, ("" + "g"))) : ("" + $format(low, 
 function conditions__published_conditions(surface) {
 let values;
 
-(values = (function* () { for (const d of $iter((() => $c71)())) { if (!((($eq(d.surface, surface)) && $truth(d.condition)))) continue; yield d; } })());
+(values = (function* () { for (const d of $iter((() => $c9375)())) { if (!((($eq(d.surface, surface)) && $truth(d.condition)))) continue; yield d; } })());
 return $b.tuple($b.fromkeys((function* () { for (const d of $iter(values)) { yield d.condition; } })()));
 }
 function criteria__choice_problems(thing, choices) {
@@ -4106,7 +4107,7 @@ let order, unknown;
 
 (order = numbers__order_of($bound(check, "margin"), $bound(check, "missed"), $bound(check, "binding"), $bound(check, "advises"), $bound(check, "leads")));
 (unknown = (check.level === "NOT CHECKED"));
-return [$neg(($truth(unknown) ? $add($told($c109, "OK", "rank"), 0.5) : $told($c109, check.level, "rank"))), order];
+return [$neg(($truth(unknown) ? $add($told($c13db, "OK", "rank"), 0.5) : $told($c13db, check.level, "rank"))), order];
 }
 function numbers__order_of(margin, missed, binding, advises, leads) {
 let found;
@@ -4155,9 +4156,6 @@ return state.motor;
 function of_arc___binds(drive) {
 return drive.criteria.standard.binding;
 }
-function of_arc___creep(state) {
-return state.creep;
-}
 function of_arc___creep_limit(_, state) {
 return state.creep_limit;
 }
@@ -4165,7 +4163,7 @@ function of_arc___creeps(of) {
 let limit;
 
 (limit = of.state.creep_limit);
-return new Words("Creep at exit", (($eq(limit, 0.00635)) ? "conservative limit, 1/4 in; B. DeVries, A model of lagging friction" : "given"), "over creep limit", "Creeps {value}, more than the limit of {limit}.", "A belt that creeps more than {slides} slides.", of_arc___qualifies($bound(of, "drive"), limit), "Raise the slack-side tension, enlarge the wrap angle, or choose a lagging with more friction.", "No slack-side tension is enough: enlarge the wrap angle, or choose a lagging with more friction.", $map([["fabric", [$at($c592, "fabric"), "force_per_width"]], ["slides", [0.0635, "length"]], ["allowed", [0.0127, "length"]]]));
+return new Words("Creep at exit", (($eq(limit, 0.00635)) ? "conservative limit, 1/4 in; B. DeVries, A model of lagging friction" : "given"), "over creep limit", "Creeps {value}, more than the limit of {limit}.", "A belt that creeps more than {slides} slides.", of_arc___qualifies($bound(of, "drive"), limit), "Raise the slack-side tension, enlarge the wrap angle, or choose a lagging with more friction.", "No slack-side tension is enough: enlarge the wrap angle, or choose a lagging with more friction.", $map([["fabric", [$at($c4a2b, "fabric"), "force_per_width"]], ["slides", [0.0635, "length"]], ["allowed", [0.0127, "length"]]]));
 }
 function of_arc___qualifies(drive, limit) {
 let belt, least, over, rating, steel, strong;
@@ -4174,7 +4172,7 @@ let belt, least, over, rating, steel, strong;
 if ((!$eq(limit, 0.00635))) {
 return "";
 }
-(least = $m.get($c592, $bound(belt, "kind")));
+(least = $m.get($c4a2b, $bound(belt, "kind")));
 ([steel, rating] = [($eq(belt.kind, "steel cord")), belt.rating]);
 if (((least == null) || ((rating == null) && !$truth(steel)))) {
 return "Whether this belt may creep more is not known: its carcass or rating is not given.";
@@ -4257,7 +4255,7 @@ let asked, rating, strength;
 if ((strength == null)) {
 return NaN;
 }
-(asked = $m.get($c593, $bound(belt, "kind"), ((rating == null) ? NaN : 4.0)));
+(asked = $m.get($ca5fa, $bound(belt, "kind"), ((rating == null) ? NaN : 4.0)));
 if (((rating != null) && $truth(of_drive__rated(belt)))) {
 (asked = (strength / rating));
 }
@@ -4280,7 +4278,7 @@ if (($truth(momentary) && (belt.momentary_factor != null))) {
 (factor = ("" + " over momentary_factor, " + $format(belt.momentary_factor, ("" + "g"))));
 }
 (source = ("" + "customary for " + $str(belt.kind) + ", by works that follow DIN 22101" + $str(factor)));
-if ((!$in(belt.kind, $c593))) {
+if ((!$in(belt.kind, $ca5fa))) {
 (source = ("" + "the least that any belt is rated with" + $str(factor)));
 }
 if ($truth(of_drive__rated(belt))) {
@@ -4305,9 +4303,6 @@ if ((belt.largest_wrap_pressure == null)) {
 return new Words(title, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, "the largest wrap pressure of the belt is not given");
 }
 return new Words(title, rule__origin($m.get(belt.sources, "largest_wrap_pressure", $bound(belt, "provenance"))), "face pressure", "The belt presses on the pulley face with {value}, more than {limit}.", undefined, undefined, "Take a larger or wider pulley, or less tension.", "Take a larger or wider pulley.");
-}
-function of_arc___shear(state) {
-return state.shear;
 }
 function of_arc___bond_strength(of) {
 return of.pulley.lagging.bond_strength;
@@ -4383,9 +4378,6 @@ return null;
 (otherwise = "Test the lagging at this pressure.");
 return of_drive___of_pressure(of, "Least", "below", "Raise the slack-side tension, or t", otherwise);
 }
-function of_arc___slip(state) {
-return state.slip;
-}
 function of_arc___slip_max(of) {
 let tested;
 (tested = of.pulley.lagging.law.tested);
@@ -4396,9 +4388,6 @@ if ((of.pulley.lagging.law.tested == null)) {
 return null;
 }
 return new Words("Largest slip, tested", of_drive__tests_of($bound(of, "pulley")), "slip beyond tests", ("" + "The slip {value} is beyond the {limit} that lagging " + $str(check__escaped($bound(of.pulley.lagging, "name"))) + " was tested to: there the friction is an extrapolation."), undefined, undefined, "Raise the slack-side tension, or test the lagging to this slip.", "Test the lagging to this slip.");
-}
-function of_arc___slip_speed(state) {
-return state.slip_speed;
 }
 function of_arc___tested_speed(of) {
 let tested;
@@ -4415,7 +4404,7 @@ if ((tested.slip_speed == null)) {
 (why = "the friction law does not say at which speed it was tested");
 return new Words(title, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, why, true);
 }
-if (((of.drive.belt.speed == null) || ($truth($math.isnan($bound(of.state, "slip_speed"))) && !$truth(of.unknown)))) {
+if (((of.drive.belt.speed == null) || $truth($math.isnan($m.get(of.state.found, "slip_speed", 0.0))))) {
 return new Words(title, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, "the belt speed is not given");
 }
 return new Words(title, of_drive__tests_of($bound(of, "pulley")), "slips faster than tests", ("" + "The belt slips at up to {value}, lagging " + $str(check__escaped($bound(of.pulley.lagging, "name"))) + " was tested at {limit}: how its friction changes with speed is not known."), undefined, undefined, "Test the lagging at this speed, or keep a larger safety factor.");
@@ -4524,7 +4513,7 @@ if ($truth(entry.example)) {
 return ("" + "Write " + $str(entry.example) + ".");
 }
 if ($truth($b.isinstance(kind, Quantity))) {
-return ("" + "Write for example " + $str(entry.key) + " = " + $str($shown($bound($at($c12, kind.dimension), "example"))) + ".");
+return ("" + "Write for example " + $str(entry.key) + " = " + $str($shown($bound($at($c22c8, kind.dimension), "example"))) + ".");
 }
 if ($truth($b.isinstance(kind, Choice))) {
 return ("" + "Write " + $str(entry.key) + " = " + $str($shown($at(kind.options, 0))) + " or another of its words.");
@@ -4542,12 +4531,12 @@ return $b.all($b.map(tables___sound, $m.values(value)));
 if ($truth($b.isinstance(value, "list"))) {
 return $b.all($b.map(tables___sound, value));
 }
-return (value !== $c7);
+return (value !== $c2f8b);
 }
 function tables___frozen(value) {
 return ($truth($b.isinstance(value, "list")) ? $b.tuple($b.map(tables___frozen, value)) : value);
 }
-function tables__need(key, meaning = "", kind = $c864, more = new Map()) {
+function tables__need(key, meaning = "", kind = $c843e, more = new Map()) {
 
 return $replaced($call(Entry, [key, meaning, kind], [...more]), new Map([["required", true]]));
 }
@@ -4557,14 +4546,14 @@ let least;
 if (!$truth($math.isnan(resistance__coefficient_at(length)))) {
 return [];
 }
-(least = $at($at($c869, 0), 0));
+(least = $at($at($c2838, 0), 0));
 return [new Problem(("" + "is below " + $format(least, ("" + "g")) + " m, where no coefficient C is tabulated"), "Give secondary_resistance, or a length_coefficient of your own.", undefined, "length", display__display(length, "length"))];
 }
 function resistance__coefficient_at(length) {
 let end, found, high, low, start;
 
-(found = ((length < $at($at($c869, 0), 0)) ? NaN : $at($at($c869, $neg(1)), 1)));
-for ([[start, high], [end, low]] of $iter($b.pairwise($c869))) {
+(found = ((length < $at($at($c2838, 0), 0)) ? NaN : $at($at($c2838, $neg(1)), 1)));
+for ([[start, high], [end, low]] of $iter($b.pairwise($c2838))) {
 if ((start <= length && length <= end)) {
 return $add(high, ($mul($sub(low, high), $sub(length, start)) / $sub(end, start)));
 }
@@ -4628,7 +4617,7 @@ let _, chosen, criteria, found, how, limit, name, pulley, rule, start, tensions,
 
 ([criteria, pulley] = [of.drive.criteria, of.pulley]);
 (found = design_standard__asked($bound(criteria, "standard"), $bound(criteria, "take_up"), $bound(pulley, "lagging"), $bound(pulley, "wrap_angle")));
-([tensions, rule] = [$at(of.case.tensions, pulley.name), $c574.held($bound(of, "drive"))]);
+([tensions, rule] = [$at(of.case.tensions, pulley.name), $c960d.held($bound(of, "drive"))]);
 if (((found == null) || $truth(numbers__idles($bound(tensions, "entry"), $bound(tensions, "exit"))))) {
 return null;
 }
@@ -4653,7 +4642,7 @@ yield rule.judged($bound(of.state, "slack"), limit, $bound(of, "place"), words);
 function* of_arc___cover_creep(of) {
 let found, rule, title, told, words;
 
-([rule, title] = [$c576, "Creep at exit, with the cover of the belt in series"]);
+([rule, title] = [$cabb1, "Creep at exit, with the cover of the belt in series"]);
 if (((of.result == null) || ($eq(of.result.arc.cover_left_out, 0.0)))) {
 return null;
 }
@@ -4727,7 +4716,7 @@ return null;
 ([pull, g] = [result.effective_tension, result.entry_creep_ratio]);
 (value = numbers__balance_miss(error, pull, g, $bound(arc, "entry_tension"), $bound(arc, "compliance")));
 (words = new Words("Energy balance of the solution", "tolerance of the program", "out of balance", "The energy balance of the solution misses by {value}, more than {limit}.", undefined, undefined, "Please report the drive file; until then change a value slightly."));
-yield $c590.judged(value, 0.0001, $bound(of, "place"), words);
+yield $c0d6e.judged(value, 0.0001, $bound(of, "place"), words);
 }
 function numbers__balance_miss(error, pull, g, entry, compliance) {
 let exact, scale, told;
@@ -4760,7 +4749,7 @@ if (($eq(parse__parse_quantity(text, dimension), value))) {
 return text;
 }
 }
-return ("" + $repr(value) + " " + $str($at($c12, dimension).si_unit));
+return ("" + $repr(value) + " " + $str($at($c22c8, dimension).si_unit));
 }
 function display__display_unit(dimension, system = "si") {
 let row;
@@ -4806,19 +4795,19 @@ const self = this; (self.file = file);
 (self.problems = []);
 (self._left_out = 0);
 }
-add(place, message, remedy = "", value = $c7, code = "") {
+add(place, message, remedy = "", value = $c2f8b, code = "") {
 const self = this; let given, key;
 
 if ($truth(self.full)) {
 (self._left_out = $add(self._left_out, 1));
 return null;
 }
-(given = ((value === $c7) ? "" : $shown(value)));
+(given = ((value === $c2f8b) ? "" : $shown(value)));
 (code = (($eq(message, "missing")) ? "missing" : code));
 (key = problems__place_text(place));
 self._append(new Problem(message, remedy, undefined, key, given, undefined, code));
 }
-take(error, place, raw = $c7, names = null) {
+take(error, place, raw = $c2f8b, names = null) {
 const self = this; let below, given, key, problem, value;
 
 for (problem of $iter(error.problems)) {
@@ -4828,7 +4817,7 @@ continue;
 }
 (below = problems___renamed($bound(problem, "key"), $or(names, () => $map([]))));
 (given = problems__value_at(raw, below));
-(value = ((given === $c7) ? problem.value : $shown(given)));
+(value = ((given === $c2f8b) ? problem.value : $shown(given)));
 if ($truth($b.isinstance(given, "list", "dict"))) {
 (value = problem.value);
 }
@@ -4836,7 +4825,7 @@ if ($truth($b.isinstance(given, "list", "dict"))) {
 self._append($replaced(problem, new Map([["key", key], ["value", value], ["file", self.file]])));
 }
 }
-tried(make, place, raw = $c7, names = null) {
+tried(make, place, raw = $c2f8b, names = null) {
 const self = this; let error;
 
 try {
@@ -4973,7 +4962,7 @@ return null;
 }
 }
 (values = $b.dict($or(base, () => $map([]))));
-for (group of $iter($c100)) {
+for (group of $iter($c3e4a)) {
 if ($truth($b.any((function* () { for (const key of $iter(group)) { yield ($in(key, given)); } })()))) {
 for (key of $iter(group)) {
 $m.pop(values, key, null);
@@ -5050,7 +5039,7 @@ return self._published(lagging);
 _published(lagging) {
 const self = this; let standard, tables;
 
-(tables = $b.fromkeys((function* () { for (const d of $iter((() => $c71)())) { if (!($truth(d.condition))) continue; yield d.standard; } })()));
+(tables = $b.fromkeys((function* () { for (const d of $iter((() => $c9375)())) { if (!($truth(d.condition))) continue; yield d.standard; } })()));
 for (standard of $iter($b.sorted(tables, $k({key: ((name) => (!$eq(name, "DIN 22101")))})))) {
 try {
 return conditions__design_ratio(standard, $bound(lagging, "surface"), $bound(self, "name"), $bound(lagging, "condition"));
@@ -5099,7 +5088,7 @@ const self = this; super.$init(message);
 }
 class Unit extends $Tuple {
 }
-$sig(Unit, ["factor", "powers", "zero"], false, {zero: () => $c110});
+$sig(Unit, ["factor", "powers", "zero"], false, {zero: () => $ce5b4});
 class UnitRow extends $Tuple {
 }
 $sig(UnitRow, ["unit", "factor", "larger"], false, {});
@@ -5150,19 +5139,19 @@ class Given extends $Object {
 static of(name, record, diameter) {
 const cls = this; let values;
 
-(values = new LoadGiven(...$iter((function* () { for (const key of $iter($c33)) { yield $m.get(record, key); } })())));
+(values = new LoadGiven(...$iter((function* () { for (const key of $iter($c6fe1)) { yield $m.get(record, key); } })())));
 return new cls(name, $bound(record, "place"), values, $bound(record, "raw"), diameter);
 }
 at(speed) {
 const self = this; 
 return new DrumAt($bound(self, "diameter"), speed);
 }
-overridden(record, fixed = false, speed = null, runs = $c102) {
+overridden(record, fixed = false, speed = null, runs = $ca1a4) {
 const self = this; let kept, over, own, values;
 
 (over = Given.of($bound(self, "name"), record, $bound(self, "diameter")));
 (values = tension_rules__overridden($bound(self, "values"), $bound(over, "values"), fixed, self.at(speed), runs));
-(own = $b.zip($c33, values, $bound(self, "values"), $k({strict: true})));
+(own = $b.zip($c6fe1, values, $bound(self, "values"), $k({strict: true})));
 (kept = $b.tuple((function* () { for (const [key, now, before] of $iter(own)) { if (!(((now != null) && (now === before)))) continue; yield key; } })()));
 return new Given($bound(self, "name"), $bound(over, "place"), values, $bound(over, "raw"), $bound(self, "diameter"), kept);
 }
@@ -5193,7 +5182,7 @@ $sig(Tensions, ["entry", "exit", "computed"], false, {computed: () => new Map()}
 class LoadCase extends $Object {
 __post_init__() {
 const self = this; let problems;
-(problems = criteria__choice_problems(self, $map([["kind", $c103]])));
+(problems = criteria__choice_problems(self, $map([["kind", $c93f5]])));
 limits__raise_all($add(limits__name_problems("name", $bound(self, "name")), problems));
 }
 }
@@ -5494,7 +5483,7 @@ const self = this; let fixed, given, runs;
 if ((over == null)) {
 return given;
 }
-([runs, fixed] = [$c102, self._take_up.fixed]);
+([runs, fixed] = [$ca1a4, self._take_up.fixed]);
 if ($truth(fixed)) {
 (runs = new RunsGain($b.sum(self._runs(train, null)), $b.sum(self._runs(train, over))));
 }
@@ -5507,7 +5496,7 @@ const self = this; let after, base, ends, first, k, message, names, own, remedy;
 if (((over == null) || (!$in(after, $slice(names, null, $neg(1)))) || ($in("entry_tension", over)) || ($in("exit_tension", over)))) {
 return given;
 }
-if (((division == null) || !$truth($b.any((function* () { for (const key of $iter([...$iter($c104), ...$iter($c105), "run"])) { yield ($in(key, over)); } })())))) {
+if (((division == null) || !$truth($b.any((function* () { for (const key of $iter([...$iter($cf273), ...$iter($c3ab3), "run"])) { yield ($in(key, over)); } })())))) {
 return given;
 }
 ([own, base] = [self._runs(train, null), self._division(train, null)]);
@@ -5551,10 +5540,10 @@ _division(train, over) {
 const self = this; let message, modes, record;
 
 (record = train);
-if (((over != null) && $truth($b.any((function* () { for (const mode of $iter($c105)) { yield ($in(mode, over)); } })())))) {
+if (((over != null) && $truth($b.any((function* () { for (const mode of $iter($c3ab3)) { yield ($in(mode, over)); } })())))) {
 (record = over);
 }
-(modes = [...(function* () { for (const mode of $iter($c105)) { if (!(($in(mode, record)))) continue; yield mode; } })()]);
+(modes = [...(function* () { for (const mode of $iter($c3ab3)) { if (!(($in(mode, record)))) continue; yield mode; } })()]);
 if (($b.len(modes) > 1)) {
 (message = ("" + $str($m.join(" and ", modes)) + " each decide how the load divides"));
 self._report.add($bound(record, "place"), message, "Keep one of them.");
@@ -5593,7 +5582,7 @@ _powers(record) {
 const self = this; let values;
 
 (values = $m.get(record, "share"));
-if ((!$truth(values) || ($in($c7, values)) || (!$eq($at($at(values, 0), 0), "power")) || !$truth(self.belt.speed))) {
+if ((!$truth(values) || ($in($c2f8b, values)) || (!$eq($at($at(values, 0), 0), "power")) || !$truth(self.belt.speed))) {
 return null;
 }
 return ($math.fsum((function* () { for (const [_, value] of $iter(values)) { yield value; } })()) / self.belt.speed);
@@ -5630,7 +5619,7 @@ self._report.add([...$iter(train.place), "motor", name], message, errors__neares
 }
 (missing = [...(function* () { for (const name of $iter(names)) { if (!((!$in(name, tables)))) continue; yield name; } })()]);
 for (name of $iter(missing)) {
-(remedy = ("" + "Write [train.motor." + $str(name) + "] with kind = \"" + $str($b.next($b.iter($c106))) + "\"."));
+(remedy = ("" + "Write [train.motor." + $str(name) + "] with kind = \"" + $str($b.next($b.iter($cc5ca))) + "\"."));
 self._report.add([...$iter(train.place), "motor", name], "missing", remedy);
 }
 if (($truth(missing) || (!$eq($b.len(tables), $b.len(names))))) {
@@ -5642,7 +5631,7 @@ return (($eq($b.len(made), $b.len(names))) ? new Motors(made) : null);
 }
 _motor(record) {
 const self = this; let motor;
-(motor = $c107.built(record, $bound(self, "_report")));
+(motor = $ce9f3.built(record, $bound(self, "_report")));
 return motor;
 }
 }
@@ -5818,15 +5807,19 @@ get extrapolates() {
 const self = this; 
 return (self.outside_tested_share > 1e-09);
 }
+get share_of_limit() {
+const self = this; 
+return ($b.abs($bound(self, "exit_creep")) / self.arc.creep_limit);
+}
 get within_creep_limit() {
 const self = this; 
-return $and($told($c40, self.status, "solved"), () => ($b.abs($bound(self, "exit_creep")) <= self.arc.creep_limit));
+return $and($told($c4a3b, self.status, "solved"), () => ($b.abs($bound(self, "exit_creep")) <= self.arc.creep_limit));
 }
 $find_covered_creep() {
 const self = this; let arc, found, geometry, load, series;
 
 (arc = self.arc);
-if ((!$truth($told($c40, self.status, "solved")) || ($eq(arc.cover_left_out, 0.0)))) {
+if ((!$truth($told($c4a3b, self.status, "solved")) || ($eq(arc.cover_left_out, 0.0)))) {
 return NaN;
 }
 ([load, geometry] = [arc.load(), arc.geometry()]);
@@ -5876,7 +5869,7 @@ if ((result.status === "Breakaway: no creep makes enough friction for this tensi
 (margin = result.capacities.gross_slip_margin);
 return [1.0, ($truth($math.isfinite(margin)) ? $neg(margin) : 0.0)];
 }
-return [0.0, ($b.abs($bound(result, "exit_creep")) / result.arc.creep_limit)];
+return [0.0, result.share_of_limit];
 }
 $sig(severity, ["result"], false);
 (worst = $b.max((function* () { for (const result of $iter(self.arcs)) { yield $at(severity(result), 0); } })()));
@@ -5884,7 +5877,7 @@ return alike__largest((function* () { for (const result of $iter(self.arcs)) { i
 }
 get solved() {
 const self = this; 
-return $b.all((function* () { for (const r of $iter(self.arcs)) { yield $told($c40, r.status, "solved"); } })());
+return $b.all((function* () { for (const r of $iter(self.arcs)) { yield $told($c4a3b, r.status, "solved"); } })());
 }
 get within_creep_limit() {
 const self = this; 
@@ -5902,19 +5895,19 @@ return $b.any((function* () { for (const c of $iter(self.cases)) { yield c.adrif
 }
 get solved() {
 const self = this; 
-return $b.all((function* () { for (const c of $iter(self.cases)) { yield $told($c40, c.status, "solved"); } })());
+return $b.all((function* () { for (const c of $iter(self.cases)) { yield $told($c4a3b, c.status, "solved"); } })());
 }
 get governing() {
 const self = this; let solved;
 
 function severity(case_) {
 let creeps;
-(creeps = [...(function* () { for (const m of $iter(case_.members)) { yield ($b.abs($bound(m.arc, "exit_creep")) / m.arc.arc.creep_limit); } })()]);
+(creeps = [...(function* () { for (const m of $iter(case_.members)) { yield m.arc.share_of_limit; } })()]);
 return $b.max((function* () { for (const c of $iter(creeps)) { yield ($truth($math.isfinite(c)) ? c : 0.0); } })());
 }
 $sig(severity, ["case"], false);
-(solved = $told($c40, self, "solved"));
-return alike__largest((function* () { for (const c of $iter(self.cases)) { if (!(($truth(solved) || !$truth($told($c40, c.status, "solved"))))) continue; yield c; } })(), severity);
+(solved = $told($c4a3b, self, "solved"));
+return alike__largest((function* () { for (const c of $iter(self.cases)) { if (!(($truth(solved) || !$truth($told($c4a3b, c.status, "solved"))))) continue; yield c; } })(), severity);
 }
 drive_result() {
 const self = this; let arcs, cases;
@@ -5935,7 +5928,7 @@ return $and((self.status === "Breakaway: a drive cannot hold its part of the loa
 }
 get within_creep_limit() {
 const self = this; 
-return $and($told($c40, self.status, "solved"), () => $b.all((function* () { for (const m of $iter(self.members)) { yield m.arc.within_creep_limit; } })()));
+return $and($told($c4a3b, self.status, "solved"), () => $b.all((function* () { for (const m of $iter(self.members)) { yield m.arc.within_creep_limit; } })()));
 }
 }
 $sig(CaseResult, ["case", "status", "reason", "members", "sensitivity", "belt_speed", "other_splits", "tension_error", "speed_error"], false, {other_splits: () => [], tension_error: () => 0.0, speed_error: () => 0.0});
@@ -6000,7 +5993,7 @@ return ($truth(self.below) ? 1.0 : numbers__margin_of($bound(self, "value"), $bo
 }
 get compares() {
 const self = this; 
-return $and((!$in(self.name, $c108)), () => (self.level !== "NOT CHECKED"));
+return $and((!$in(self.name, $c1dc7)), () => (self.level !== "NOT CHECKED"));
 }
 get below() {
 const self = this; 
@@ -6023,7 +6016,7 @@ return numbers__times_of($bound(self, "value"), $bound(self, "limit"));
 }
 get missed() {
 const self = this; 
-return ($told($c109, self.level, "rank") >= $told($c109, "ATTENTION", "rank"));
+return ($told($c13db, self.level, "rank") >= $told($c13db, "ATTENTION", "rank"));
 }
 texts() {
 const self = this; let limit;
@@ -6058,15 +6051,15 @@ return $m.join(" ", (function* () { for (const part of $iter([self.says, self.re
 }
 get numerical() {
 const self = this; 
-return ($in(self.name, $c855));
+return ($in(self.name, $c7c4c));
 }
 get advises() {
 const self = this; 
-return $or(($in(self.name, $c856)), () => $and(($eq(self.name, "design_standard")), () => !$truth(self.binding)));
+return $or(($in(self.name, $c3c1c)), () => $and(($eq(self.name, "design_standard")), () => !$truth(self.binding)));
 }
 get leads() {
 const self = this; 
-return $and((self.level === "FAILS"), () => ($in(self.name, $c857)));
+return $and((self.level === "FAILS"), () => ($in(self.name, $c5573)));
 }
 _beside(name) {
 const self = this; let dimension, others, value;
@@ -6076,7 +6069,7 @@ const self = this; let dimension, others, value;
 return $b.min(others, $k({key: ((other) => $b.abs($sub(other, value))), default: NaN}));
 }
 }
-$sig(Check, ["name", "title", "level", "place", "value", "limit", "dimension", "at_most", "source", "short", "says", "remedy", "otherwise", "more", "binding", "miss"], false, {place: () => $c57, value: () => NaN, limit: () => NaN, dimension: () => "number", at_most: () => true, source: () => "", short: () => "", says: () => "", remedy: () => "", otherwise: () => "", more: () => new Map(), binding: () => true, miss: () => null});
+$sig(Check, ["name", "title", "level", "place", "value", "limit", "dimension", "at_most", "source", "short", "says", "remedy", "otherwise", "more", "binding", "miss"], false, {place: () => $cb829, value: () => NaN, limit: () => NaN, dimension: () => "number", at_most: () => true, source: () => "", short: () => "", says: () => "", remedy: () => "", otherwise: () => "", more: () => new Map(), binding: () => true, miss: () => null});
 class Pulls extends $Object {
 }
 $sig(Pulls, ["effective_tensions"], false, {});
@@ -6091,7 +6084,7 @@ class Speeds extends $Object {
 $sig(Speeds, ["rotation_speeds", "absolute"], false, {absolute: () => false});
 class Owner extends $Tuple {
 }
-$sig(Owner, ["of", "kinds", "words", "place", "more"], false, {place: () => $c57, more: () => []});
+$sig(Owner, ["of", "kinds", "words", "place", "more"], false, {place: () => $cb829, more: () => []});
 class Sliding extends $Tuple {
 }
 $sig(Sliding, ["place", "cause"], false, {});
@@ -6109,7 +6102,7 @@ const self = this; let end, slack, tight;
 return $replaced(self, new Map([["tight", tight], ["slack", slack], ["slack_end", end]]));
 }
 }
-$sig(State, ["tight", "slack", "slack_end", "width", "diameter", "strength", "centrifugal", "creep_limit", "creep", "slip", "slip_speed", "shear", "motor"], false, {});
+$sig(State, ["tight", "slack", "slack_end", "width", "diameter", "strength", "centrifugal", "creep_limit", "motor", "found"], false, {});
 class VariableSpeed extends Motor {
 largest_load() {
 const self = this; let stall;
@@ -6328,7 +6321,7 @@ const self = this; let first, others, told;
 (first = new Set((function* () { for (const c of $iter([self.governing, self.odd])) { if (!((c != null))) continue; yield c.name; } })()));
 (others = (function* () { for (const check of $iter(self.missed)) { if (!((!$in(check.name, first)))) continue; yield check; } })());
 (told = [...(function* () { for (const check of $iter(others)) { yield ("" + $str(check.level) + ": " + $str(check__placed(check))); } })()]);
-if ((($told($c109, self.level, "rank") > $told($c109, "OK", "rank")) && $truth(self.qualifier))) {
+if ((($told($c13db, self.level, "rank") > $told($c13db, "OK", "rank")) && $truth(self.qualifier))) {
 $m.append(told, ("" + "All of this stands " + $str(self.qualifier) + "."));
 }
 return $b.tuple(told);
@@ -6346,7 +6339,7 @@ $find_qualifier() {
 const self = this; let found;
 
 (found = new Set((function* () { for (const c of $iter(self.checks)) { if (!(($eq(c.name, "data")))) continue; yield c.short; } })()));
-return $b.next((function* () { for (const word of $iter($c858)) { if (!(($in(word, found)))) continue; yield word; } })(), "");
+return $b.next((function* () { for (const word of $iter($cc969)) { if (!(($in(word, found)))) continue; yield word; } })(), "");
 }
 }
 $sig(Verdict, ["checks", "wet", "over_wet"], false, {wet: () => -1.0, over_wet: () => false});
@@ -6355,7 +6348,7 @@ class Row extends $Object {
 $sig(Row, ["title", "values", "symbol", "note", "name", "level"], false, {symbol: () => "", note: () => "", name: () => "", level: () => null});
 class Table extends $Object {
 }
-$sig(Table, ["title", "rows", "heads", "note", "name", "short", "brief"], false, {heads: () => $c111, note: () => "", name: () => "", short: () => null, brief: () => ""});
+$sig(Table, ["title", "rows", "heads", "note", "name", "short", "brief"], false, {heads: () => $c0555, note: () => "", name: () => "", short: () => null, brief: () => ""});
 class FrictionLaw extends $Object {
 scaled(friction = 1.0, slip = 1.0) {
 const self = this; 
@@ -6428,7 +6421,7 @@ const self = this; let origin;
 return $m.join("; ", (function* () { for (const part of $iter([origin, self.remark])) { if (!($truth(part))) continue; yield part; } })());
 }
 }
-$sig(Input, ["group", "title", "value", "dimension", "symbol", "origin", "remark", "name"], false, {dimension: () => "number", symbol: () => "", origin: () => $c80, remark: () => "", name: () => ""});
+$sig(Input, ["group", "title", "value", "dimension", "symbol", "origin", "remark", "name"], false, {dimension: () => "number", symbol: () => "", origin: () => $c7015, remark: () => "", name: () => ""});
 class Sources extends $Object {
 $init() {
 const self = this; (self._numbers = $map([]));
@@ -6487,12 +6480,12 @@ class Trend extends $Object {
 __post_init__() {
 const self = this; let n;
 (n = $b.len($bound(self, "coefficients")));
-base__check([($in(self.form, $c859)), "form", self.form, ("" + "the form must be one of " + $str($m.join(", ", $c859)))], [(1 <= n && n <= 4), "coefficients", $b.str(n), "one to four coefficients are needed"], [$b.all($b.map($math.isfinite, $bound(self, "coefficients"))), "coefficients", $b.str($bound(self, "coefficients")), "must be finite"], [($in(self.sign, [1, $neg(1)])), "sign", $b.str($bound(self, "sign")), "the sign must be 1 or -1"]);
+base__check([($in(self.form, $c7f7c)), "form", self.form, ("" + "the form must be one of " + $str($m.join(", ", $c7f7c)))], [(1 <= n && n <= 4), "coefficients", $b.str(n), "one to four coefficients are needed"], [$b.all($b.map($math.isfinite, $bound(self, "coefficients"))), "coefficients", $b.str($bound(self, "coefficients")), "must be finite"], [($in(self.sign, [1, $neg(1)])), "sign", $b.str($bound(self, "sign")), "the sign must be 1 or -1"]);
 }
 at(pressure) {
 const self = this; let c, exponential, logarithmic, v, y;
 
-([logarithmic, exponential] = $at($c859, self.form));
+([logarithmic, exponential] = $at($c7f7c, self.form));
 ([v, y] = [($truth(logarithmic) ? $math.log(pressure) : pressure), 0.0]);
 for (c of $iter($b.reversed($bound(self, "coefficients")))) {
 (y = $add(c, $mul(y, v)));
@@ -6511,7 +6504,7 @@ return $replaced(self, new Map([["coefficients", $b.tuple((function* () { for (c
 row() {
 const self = this; let c, exponential, logarithmic;
 
-([logarithmic, exponential] = $at($c859, self.form));
+([logarithmic, exponential] = $at($c7f7c, self.form));
 (c = $add(self.coefficients, $mul([0.0], $sub(4, $b.len($bound(self, "coefficients"))))));
 return [...$iter(c), $b.float(logarithmic), ($truth(exponential) ? $b.float($bound(self, "sign")) : 0.0)];
 }
@@ -6519,7 +6512,7 @@ return [...$iter(c), $b.float(logarithmic), ($truth(exponential) ? $b.float($bou
 $sig(Trend, ["form", "coefficients", "sign"], false, {form: () => "polynomial", sign: () => 1});
 class Piece extends $Object {
 }
-$sig(Piece, ["a", "b", "post_peak_slope", "residual_friction"], false, {post_peak_slope: () => $c112, residual_friction: () => $c113});
+$sig(Piece, ["a", "b", "post_peak_slope", "residual_friction"], false, {post_peak_slope: () => $c07bd, residual_friction: () => $c07bd5});
 class CoefficientPieces extends $Object {
 __post_init__() {
 const self = this; let n, problems;
@@ -6677,8 +6670,8 @@ __post_init__() {
 const self = this; let message, problems;
 (problems = $add(limits__name_problems("name", $bound(self, "name")), limits__name_problems("condition", $bound(self, "condition"))));
 (problems = $add(problems, limits__limit_problems(self, $bound(self, "LIMITS"))));
-if (($truth(self.surface) && (!$in(self.surface, $c860)))) {
-(message = ("" + "must be one of " + $str($m.join(", ", $c860))));
+if (($truth(self.surface) && (!$in(self.surface, $c504b)))) {
+(message = ("" + "must be one of " + $str($m.join(", ", $c504b))));
 $m.append(problems, new Problem(message, undefined, undefined, "surface", $shown($bound(self, "surface"))));
 }
 limits__raise_all(problems);
@@ -6747,7 +6740,7 @@ class TakeUp extends $Object {
 __post_init__() {
 const self = this; let given, message, problems, remedy;
 (problems = limits__limit_problems(self, $bound(self, "LIMITS")));
-(problems = $add(problems, criteria__choice_problems(self, $map([["kind", ["", ...$iter($c861)]]]))));
+(problems = $add(problems, criteria__choice_problems(self, $map([["kind", ["", ...$iter($c9cf4)]]]))));
 if (($truth(self.after) && $truth(self.fixed))) {
 (message = "a fixed take-up holds the sum of both tensions wherever it stands");
 (remedy = "Leave it out, or correct the kind.");
@@ -6780,7 +6773,7 @@ $sig(TakeUp, ["kind", "sheave_ratio", "after"], false, {kind: () => "", sheave_r
 class DesignStandard extends $Object {
 __post_init__() {
 const self = this; let given, message, problems, remedy, words;
-(words = $map([["name", ["", ...$iter($c862)]], ["condition", ["", ...$iter($c863)]]]));
+(words = $map([["name", ["", ...$iter($c6e6b)]], ["condition", ["", ...$iter($ceb6d)]]]));
 (problems = $add(limits__limit_problems(self, $bound(self, "LIMITS")), criteria__choice_problems(self, words)));
 if ((!$eq(($eq(self.name, "own")), (self.friction != null)))) {
 (given = ((self.friction == null) ? "" : ("" + $format(self.friction, ("" + "g")))));
@@ -6820,7 +6813,7 @@ get _fields() { return $kept(this, "_fields", this.$find__fields()); }
 $init(title, ...entries) {
 const self = this; const {of: of = null, on_one_line: on_one_line = false} = $named(entries);
 ([self.title, self.of, self.on_one_line] = [title, of, on_one_line]);
-(self.entries = $b.tuple((function* () { for (const e of $iter(entries)) { yield ((e.kind === $c864) ? $replaced(e, new Map([["kind", tables___kind_of(of, $bound(e, "attribute"))]])) : e); } })()));
+(self.entries = $b.tuple((function* () { for (const e of $iter(entries)) { yield ((e.kind === $c843e) ? $replaced(e, new Map([["kind", tables___kind_of(of, $bound(e, "attribute"))]])) : e); } })()));
 (self._known = $map([...(function* () { for (const entry of $iter(self.entries)) { yield [entry.key, entry]; } })()]));
 }
 read(raw, place, report) {
@@ -6828,7 +6821,7 @@ const self = this; let entry, given, key, known, record, remedy, value;
 
 if (!$truth($b.isinstance(raw, "dict"))) {
 report.add(place, "must be a table", "Write its keys below its name in [ ].", raw);
-return $c7;
+return $c2f8b;
 }
 (given = self._renamed(raw, place, report));
 (known = self._known);
@@ -6843,7 +6836,7 @@ if (($in(key, given))) {
 if (!$truth(tables___sound(value))) {
 record.faulty.add(key);
 }
-if ((value !== $c7)) {
+if ((value !== $c2f8b)) {
 $put(record, key, value);
 }
 } else {
@@ -6894,15 +6887,15 @@ const self = this; (self.title = $or(self.title, () => $m.capitalize($m.replace(
 (self.attribute = $or(self.attribute, () => self.key));
 }
 }
-$sig(Entry, ["key", "meaning", "kind", "title", "required", "alias", "example", "attribute", "unless", "stated"], false, {meaning: () => "", kind: () => $c864, title: () => "", required: () => false, alias: () => "", example: () => "", attribute: () => "", unless: () => "", stated: () => false});
+$sig(Entry, ["key", "meaning", "kind", "title", "required", "alias", "example", "attribute", "unless", "stated"], false, {meaning: () => "", kind: () => $c843e, title: () => "", required: () => false, alias: () => "", example: () => "", attribute: () => "", unless: () => "", stated: () => false});
 class Name extends Kind {
 read(raw, place, report) {
 const self = this; let value;
 
 (value = new Text($bound(self, "longest")).read(raw, place, report));
-if (((value !== $c7) && !$truth($m.strip(value)))) {
+if (((value !== $c2f8b) && !$truth($m.strip(value)))) {
 report.add(place, "must not be empty", "Write a name.", raw);
-return $c7;
+return $c2f8b;
 }
 return value;
 }
@@ -6917,14 +6910,14 @@ report.add(place, "must be text", "Put it in quotes.", raw);
 if (($b.len(raw) > self.longest)) {
 report.add(place, ("" + "longer than " + $str(self.longest) + " characters"), "Shorten it.", raw);
 } else {
-if (!$truth($m.isprintable(($truth(self.lines) ? $m.translate(raw, $c865) : raw)))) {
+if (!$truth($m.isprintable(($truth(self.lines) ? $m.translate(raw, $ca8ba) : raw)))) {
 report.add(place, "holds characters that cannot be printed", "Remove them.", raw);
 } else {
 return raw;
 }
 }
 }
-return $c7;
+return $c2f8b;
 }
 }
 $sig(Text, ["longest", "lines"], false, {longest: () => 200, lines: () => false});
@@ -6938,13 +6931,13 @@ try {
 if ($error instanceof InputError) {
 error = $error;
 report.take(error, place, raw);
-return $c7;
+return $c2f8b;
 } else throw $error;
 }
 (refusal = ($truth(self.limit) ? self.limit.refusal(value) : ""));
 if ($truth(refusal)) {
 $method(report, "add", [place, refusal], [["value", raw]]);
-return $c7;
+return $c2f8b;
 }
 return value;
 }
@@ -6973,7 +6966,7 @@ refusal(value) {
 const self = this; let unit;
 
 if (!$truth(isNumber(value))) {
-(unit = $at($c12, self.dimension).si_unit);
+(unit = $at($c22c8, self.dimension).si_unit);
 return ($truth(unit) ? ("" + "must be a number [" + $str(unit) + "]") : "must be a number");
 }
 if (($truth($math.isnan(value)) || ($truth($math.isinf(value)) && !($truth(self.rigid) && (value > 0))))) {
@@ -6998,13 +6991,13 @@ read(raw, place, report) {
 const self = this; 
 if (!$truth($b.isinstance(raw, "dict"))) {
 report.add(place, "must be a table", ("" + "Write [" + $str($at(place, $neg(1))) + ".NAME]."), raw);
-return $c7;
+return $c2f8b;
 }
 if (($b.len(raw) > self.most)) {
 report.add(place, ("" + "must have at most " + $str(self.most) + " entries, and has " + $str($b.len(raw))));
-return $c7;
+return $c2f8b;
 }
-return $map([...(function* () { for (const [name, item] of $iter($m.items(raw))) { if (!((new Name().read(name, [...$iter(place), name], report) !== $c7))) continue; yield [name, self.kind.read(item, [...$iter(place), name], report)]; } })()]);
+return $map([...(function* () { for (const [name, item] of $iter($m.items(raw))) { if (!((new Name().read(name, [...$iter(place), name], report) !== $c2f8b))) continue; yield [name, self.kind.read(item, [...$iter(place), name], report)]; } })()]);
 }
 }
 $sig(ByName, ["kind", "most"], false, {most: () => 200});
@@ -7017,7 +7010,7 @@ limits__raise_all($or(problems, () => self._layer_problems()));
 _layer_problems() {
 const self = this; let given, key, message, remedy, rounding, short, total, whole;
 
-(given = $map([...(function* () { for (const key of $iter($c6)) { if (!(($b.getattr(self, key) != null))) continue; yield [key, $b.getattr(self, key)]; } })()]));
+(given = $map([...(function* () { for (const key of $iter($c2d22)) { if (!(($b.getattr(self, key) != null))) continue; yield [key, $b.getattr(self, key)]; } })()]));
 ([total, whole] = [$b.sum($m.values(given)), self.thickness]);
 ([short, key, remedy] = [(total <= 0.06), "thickness", ""]);
 if ((whole == null)) {
@@ -7029,7 +7022,7 @@ if ((whole == null)) {
 (short = (total <= $add(whole, ((self.carcass != null) ? rounding : $neg(rounding)))));
 (message = ("" + "too much for a belt of " + $str(display__display(whole, "length"))));
 (remedy = "Give the thickness of the whole belt, or leave it out.");
-if ((($eq($b.len(given), $b.len($c6))) && (total < $mul(0.98, whole)))) {
+if ((($eq($b.len(given), $b.len($c2d22))) && (total < $mul(0.98, whole)))) {
 ([short, message] = [false, ("" + "and the belt is " + $str(display__display(whole, "length")) + " thick")]);
 (remedy = "Leave out the one of the four that is not known.");
 }
@@ -7047,7 +7040,7 @@ return $m.get(self.sources, part, $bound(self, "provenance"));
 get breaking_strength() {
 const self = this; let bare, found, told;
 
-(found = $m.search($c866, $m.upper($m.strip(self.name))));
+(found = $m.search($c9234, $m.upper($m.strip(self.name))));
 if (((self.strength != null) || (found == null))) {
 return self.strength;
 }
@@ -7080,7 +7073,7 @@ if ($truth($b.isinstance(raw, "bool"))) {
 return raw;
 }
 report.add(place, "must be true or false", "Write it without quotes.", raw);
-return $c7;
+return $c2f8b;
 }
 }
 $sig(Flag, [], false, {});
@@ -7093,7 +7086,7 @@ return raw;
 }
 (allowed = $m.join(", ", (function* () { for (const option of $iter(self.options)) { yield $shown(option); } })()));
 report.add(place, ("" + "must be one of " + $str(allowed)), errors__nearest(raw, $bound(self, "options")), raw);
-return $c7;
+return $c2f8b;
 }
 }
 $sig(Choice, ["options"], false, {});
@@ -7137,7 +7130,7 @@ class DimensionText extends $Tuple {
 $sig(DimensionText, ["si_unit", "name", "example"], false, {});
 class Definition extends $Tuple {
 }
-$sig(Definition, ["names", "factor", "unit", "zero"], false, {zero: () => $c873});
+$sig(Definition, ["names", "factor", "unit", "zero"], false, {zero: () => $ce5b4b});
 class Variant extends Kind {
 $init(tag, meaning, ...tables) {
 const self = this; (self.tag = tag);
@@ -7155,23 +7148,23 @@ const self = this; let allowed, options, word;
 
 if (!$truth($b.isinstance(raw, "dict"))) {
 report.add(place, "must be a table", "Write its keys below its name in [ ].", raw);
-return $c7;
+return $c2f8b;
 }
 (options = $b.tuple($bound(self, "tables")));
 if ((!$in(self.tag, raw))) {
 (allowed = $m.join(", ", (function* () { for (const option of $iter(options)) { yield $shown(option); } })()));
 report.add([...$iter(place), self.tag], "missing", ("" + "Write one of " + $str(allowed) + "."));
-return $c7;
+return $c2f8b;
 }
 (word = new Choice(options).read($at(raw, self.tag), [...$iter(place), self.tag], report));
-return ((word === $c7) ? $c7 : $at(self.tables, word).read(raw, place, report));
+return ((word === $c2f8b) ? $c2f8b : $at(self.tables, word).read(raw, place, report));
 }
 }
 class Pulley extends $Object {
 __post_init__() {
 const self = this; let problems, worn;
 (problems = $add(limits__name_problems("name", $bound(self, "name")), limits__limit_problems(self, $bound(self, "LIMITS"))));
-(problems = $add(problems, criteria__choice_problems(self, $map([["side", $c867]]))));
+(problems = $add(problems, criteria__choice_problems(self, $map([["side", $ca867]]))));
 (worn = ($truth(self.across) ? self.across.worn_depth : null));
 if (((worn != null) && (worn.largest >= self.lagging.thickness))) {
 $m.append(problems, new Problem($add("deeper than the lagging is thick, ", display__display($bound(self.lagging, "thickness"), "length")), "Give the depth worn off, on radius, not what is left.", undefined, "across.worn_depth", display__display($bound(worn, "largest"), "length")));
@@ -7216,8 +7209,8 @@ __post_init__() {
 const self = this; let message, problems;
 (problems = limits__limit_problems(self, $bound(self, "LIMITS")));
 (problems = $add(problems, conveyor__choices(new Set((function* () { for (const key of $iter(self.LIMITS)) { if (!(($b.getattr(self, key) != null))) continue; yield key; } })()))));
-if ((!$in(self.drive_at, $c868))) {
-(message = ("" + "must be one of " + $str($m.join(", ", $c868))));
+if ((!$in(self.drive_at, $c6846))) {
+(message = ("" + "must be one of " + $str($m.join(", ", $c6846))));
 $m.append(problems, new Problem(message, undefined, undefined, "drive_at", $shown($bound(self, "drive_at"))));
 }
 limits__raise_all($or(problems, () => $b.list(self.misfits())));
@@ -7355,7 +7348,7 @@ yield new Resistance("inertia", carrying, returning, "force to accelerate belt, 
 }
 get _unusual() {
 const self = this; let least, most;
-([least, most] = $c1596);
+([least, most] = $cc8d3);
 if ((least <= self.friction_factor && self.friction_factor <= most)) {
 return "";
 }
@@ -7365,18 +7358,20 @@ return ("" + ", outside the usual " + $format(least, ("" + ".3f")) + " to " + $f
 $sig(Conveyor, ["length", "lift", "belt_mass", "carry_idler_mass", "return_idler_mass", "material_mass", "capacity", "friction_factor", "length_coefficient", "secondary_resistance", "special_resistance", "return_share", "start_factor", "start_time", "stop_time", "take_up_tension", "counterweight", "take_up_distance", "drive_at", "speed", "sheave_ratio"], false, {lift: () => 0.0, material_mass: () => null, capacity: () => null, friction_factor: () => 0.02, length_coefficient: () => null, secondary_resistance: () => null, special_resistance: () => 0.0, return_share: () => 0.0, start_factor: () => null, start_time: () => null, stop_time: () => null, take_up_tension: () => null, counterweight: () => null, take_up_distance: () => 0.0, drive_at: () => "head", speed: () => null, sheave_ratio: () => 2.0});
 class Rule extends $Object {
 *checks(of) {
-const self = this; let allowed, check, limit, missing, told, value, words;
+const self = this; let allowed, check, found, limit, missing, told, value, words;
 
 if ((self.asked != null)) {
 yield* $iter(self.asked(of));
 return null;
 }
 (words = ($truth(self.words) ? self.words(of) : null));
-if (((words == null) || (self.value == null))) {
+(found = ($in(self.result, of.state.found)));
+if (((words == null) || ($truth(self.result) && !$truth(found) && !$truth(of.unknown)))) {
 return null;
 }
-([value, missing] = [self.value($bound(of, "state")), words.missing]);
-(missing = $or(missing, () => ($truth(self.of_solution) ? of.unknown : "")));
+(value = (($truth(self.result) && !$truth(found)) ? NaN : self.compared($bound(of, "state"))));
+(missing = $or(words.missing, () => ($truth(self.result) ? of.unknown : "")));
+(missing = $or(missing, () => ($truth($math.isnan(value)) ? "its value is not known" : "")));
 if ($truth(missing)) {
 (check = rule__not_checked($bound(self, "name"), $bound(words, "title"), missing, $bound(of, "place")));
 (told = $replaced(check, new Map([["value", value], ["dimension", self.dimension]])));
@@ -7389,6 +7384,10 @@ if ((self.rounded != null)) {
 (value = self.rounded(value, limit, $bound(of, "state")));
 }
 yield self.held($bound(of, "drive")).judged(value, limit, $bound(of, "place"), words);
+}
+compared(state) {
+const self = this; 
+return ($truth(self.value) ? self.value(state) : $at(state.found, self.result));
 }
 limited(allowed, state) {
 const self = this; 
@@ -7412,7 +7411,7 @@ const self = this; let kept, level, miss, says;
 return new Check(self.name, words.title, ($truth(kept) ? "OK" : level), place, value, limit, self.dimension, self.at_most, words.source, ($truth(kept) ? "" : words.short), ($truth(kept) ? "" : says), ($truth(kept) ? "" : words.remedy), ($truth(kept) ? "" : words.otherwise), words.more, self.binding, miss);
 }
 }
-$sig(Rule, ["name", "what", "missed", "fails_beyond", "tolerates", "at_most", "dimension", "tension", "binding", "firm", "value", "allowed", "limit", "rounded", "of_solution", "pulls", "of_rows", "of_runs", "words", "asked"], false, {missed: () => "ATTENTION", fails_beyond: () => NaN, tolerates: () => NaN, at_most: () => true, dimension: () => "number", tension: () => "", binding: () => true, firm: () => null, value: () => null, allowed: () => null, limit: () => null, rounded: () => null, of_solution: () => false, pulls: () => false, of_rows: () => true, of_runs: () => true, words: () => null, asked: () => null});
+$sig(Rule, ["name", "what", "missed", "fails_beyond", "tolerates", "at_most", "dimension", "tension", "binding", "firm", "result", "value", "allowed", "limit", "rounded", "pulls", "of_rows", "of_runs", "words", "asked"], false, {missed: () => "ATTENTION", fails_beyond: () => NaN, tolerates: () => NaN, at_most: () => true, dimension: () => "number", tension: () => "", binding: () => true, firm: () => null, result: () => "", value: () => null, allowed: () => null, limit: () => null, rounded: () => null, pulls: () => false, of_rows: () => true, of_runs: () => true, words: () => null, asked: () => null});
 class DesignFriction extends $Object {
 }
 $sig(DesignFriction, ["standard", "surface", "condition", "friction", "provenance"], false, {});
@@ -7436,8 +7435,8 @@ class Block extends $Object {
 __post_init__() {
 const self = this; let message, problems;
 (problems = limits__limit_problems(self, $bound(self, "LIMITS")));
-if ((!$in(self.shape, $c870))) {
-(message = ("" + "must be one of " + $str($m.join(", ", $c870))));
+if ((!$in(self.shape, $c7017))) {
+(message = ("" + "must be one of " + $str($m.join(", ", $c7017))));
 $m.append(problems, new Problem(message, undefined, undefined, "shape", $shown($bound(self, "shape"))));
 }
 limits__raise_all(problems);
@@ -7498,7 +7497,7 @@ get log_covariance() { return $kept(this, "log_covariance", this.$find_log_covar
 __post_init__() {
 const self = this; let message, n, problems;
 (n = $b.len($bound(self, "parameters")));
-(problems = limits__limit_problems(self, $c871));
+(problems = limits__limit_problems(self, $c9bd3));
 if ((($b.len($b.set($bound(self, "parameters"))) < n) || !$truth(n))) {
 (message = "must name each fitted parameter once");
 $m.append(problems, new Problem(message, undefined, undefined, "parameters", $b.str(n)));
@@ -7537,7 +7536,7 @@ return ($truth(message) ? [new Problem(message, undefined, undefined, "covarianc
 $find_knots() {
 const self = this; let found, named;
 
-(found = [...(function* () { for (const name of $iter(self.parameters)) { yield $m.fullmatch($c872, name); } })()]);
+(found = [...(function* () { for (const name of $iter(self.parameters)) { yield $m.fullmatch($c29b0, name); } })()]);
 if (($b.min($bound(self, "values")) <= 0.0)) {
 return [];
 }
@@ -7644,8 +7643,8 @@ class Transition extends $Object {
 __post_init__() {
 const self = this; let message, problems;
 (problems = limits__limit_problems(self, $bound(self, "LIMITS")));
-if ((!$in(self.depth, $c1311))) {
-(message = ("" + "must be one of " + $str($m.join(", ", $c1311))));
+if ((!$in(self.depth, $c8b63))) {
+(message = ("" + "must be one of " + $str($m.join(", ", $c8b63))));
 $m.append(problems, new Problem(message, undefined, undefined, "depth", $shown($bound(self, "depth"))));
 }
 limits__raise_all(problems);
@@ -7694,12 +7693,12 @@ const self = this; let count, labels;
 
 if (!$truth($b.isinstance(raw, "list"))) {
 report.add(place, "must be an array", "Put it in [ ], as the examples show.", raw);
-return $c7;
+return $c2f8b;
 }
 if (!(self.least <= $b.len(raw) && $b.len(raw) <= self.most)) {
 (count = ($truth(self.least) ? ("" + $str(self.least) + " to " + $str(self.most)) : ("" + "at most " + $str(self.most))));
 report.add(place, ("" + "must have " + $str(count) + " entries, and has " + $str($b.len(raw))));
-return $c7;
+return $c2f8b;
 }
 (labels = kinds__table_labels(raw));
 return [...(function* () { for (const [item, label] of $iter($b.zip(raw, labels, $k({strict: true})))) { yield self.kind.read(item, [...$iter(place), label], report); } })()];
@@ -7745,8 +7744,8 @@ const self = this; let built, crown, factor, found, half, heights, mean, on, rea
 
 (found = $b.len($bound(report, "problems")));
 (read = self.within.read(raw, place, report));
-if (((read === $c7) || ($b.len($bound(report, "problems")) > found))) {
-return $c7;
+if (((read === $c2f8b) || ($b.len($bound(report, "problems")) > found))) {
+return $c2f8b;
 }
 (table = ($truth($b.isinstance(read, Record)) ? read : $map([["rows", read]])));
 ([rows, on] = [$m.get(table, "rows", []), $m.get(table, "on", "radius")]);
@@ -7763,10 +7762,10 @@ if ((($eq(on, "diameter")) && $truth(values) && ($b.min(values) > 0.1))) {
 (values = [...(function* () { for (const value of $iter(values)) { yield $mul(factor, value); } })()]);
 (heights = [...$iter(values), crown]);
 if (($truth(self.diameters) && !$truth(self._deviations(heights, half, place, report)))) {
-return $c7;
+return $c2f8b;
 }
 (built = report.tried((() => new WidthProfile($b.tuple((function* () { for (const [y, _] of $iter(rows)) { yield y; } })()), $b.tuple(values), crown, (($in("uncertainty", table)) ? $mul($mul(factor, half), $at(table, "uncertainty")) : null))), place));
-return ((built == null) ? $c7 : built);
+return ((built == null) ? $c2f8b : built);
 }
 _deviations(values, half, place, report) {
 const self = this; let worst;
@@ -7787,10 +7786,10 @@ read(raw, place, report) {
 const self = this; let pair;
 if ((!$truth($b.isinstance(raw, "list")) || (!$eq($b.len(raw), 2)))) {
 $method(report, "add", [place, "must be a pair, position and value"], [["value", raw]]);
-return $c7;
+return $c2f8b;
 }
 (pair = [...(function* () { for (const [kind, item, what] of $iter($b.zip($bound(self, "kinds"), raw, ["position", "value"], $k({strict: true})))) { yield kind.read(item, [...$iter(place), what], report); } })()]);
-return (($in($c7, pair)) ? $c7 : $b.tuple(pair));
+return (($in($c2f8b, pair)) ? $c2f8b : $b.tuple(pair));
 }
 }
 class GrippingPulley extends $Object {
@@ -7809,7 +7808,7 @@ return raw;
 }
 (message = ("" + "must be a whole number from " + $str(self.least) + " to " + $str(self.most)));
 $method(report, "add", [place, message], [["value", raw]]);
-return $c7;
+return $c2f8b;
 }
 }
 $sig(Count, ["least", "most"], false, {});
@@ -7833,10 +7832,10 @@ continue;
 } else throw $error;
 }
 (value = kind.read(raw, place, report));
-return ((value === $c7) ? $c7 : [kind.dimension, value]);
+return ((value === $c2f8b) ? $c2f8b : [kind.dimension, value]);
 }
 $method(report, "add", [place, ("" + "must be " + $str(self.words))], [["value", raw]]);
-return $c7;
+return $c2f8b;
 }
 }
 $sig(Either, ["first", "second", "words"], false, {});
@@ -7848,7 +7847,7 @@ return "equal";
 }
 if ($truth($b.isinstance(raw, "str"))) {
 $method(report, "add", [place, ("" + "must be \"" + $str("equal") + "\" or an array of speeds")], [["value", raw]]);
-return $c7;
+return $c2f8b;
 }
 return self.rows.read(raw, place, report);
 }
@@ -7860,1615 +7859,1615 @@ const self = this;
 throw $TypeError;
 }
 }
-const $c881 = ["of", "entries", "_known"];
-const $c896 = ["key", "kind", "required", "alias", "example", "attribute", "unless"];
-const $c153 = ["dimension", "limit"];
-const $c897 = $made(Quantity, $c153, ["number", null]);
-const $c884 = $made(Entry, $c896, ["format", $c897, true, "", "format = 1", "format", ""]);
-const $c899 = ["longest", "lines"];
-const $c898 = $made(Text, $c899, [200, false]);
-const $c885 = $made(Entry, $c896, ["title", $c898, false, "", "", "title", ""]);
-const $c900 = $made(Text, $c899, [5000, true]);
-const $c886 = $made(Entry, $c896, ["description", $c900, false, "", "", "description", ""]);
-const $c902 = ["dimension", "least", "most", "open", "rigid"];
-const $c832 = $made(Limit, $c902, ["length", 0.0, 1.0, true, false]);
-const $c901 = $made(Quantity, $c153, ["length", $c832]);
-const $c887 = $made(Entry, $c896, ["creep_limit", $c901, false, "", "", "creep_limit", ""]);
-const $c904 = ["kind", "most"];
-const $c905 = ["text", "table"];
-const $c906 = ["longest"];
-const $c217 = $made(Name, $c906, [60]);
-const $c914 = $made(Name, $c906, [60]);
-const $c909 = $made(Entry, $c896, ["name", $c914, true, "", "", "name", ""]);
-const $c828 = $made(Limit, $c902, ["number", 0.0, 2.0, true, false]);
-const $c915 = $made(Quantity, $c153, ["number", $c828]);
-const $c910 = $made(Entry, $c896, ["friction_factor", $c915, false, "", "", "factor", ""]);
-const $c916 = $made(ByName, $c904, [$c915, 200]);
-const $c911 = $made(Entry, $c896, ["friction_factors", $c916, false, "", "", "friction_factors", ""]);
-const $c918 = ["options"];
-const $c919 = ["DIN 22101", "practice"];
-const $c917 = $made(Choice, $c918, [$c919]);
-const $c912 = $made(Entry, $c896, ["standard", $c917, false, "", "", "standard", ""]);
-const $c927 = ["measured", "published", "calibrated", "illustrative", "given"];
-const $c926 = $made(Choice, $c918, [$c927]);
-const $c922 = $made(Entry, $c896, ["kind", $c926, true, "", "", "kind", ""]);
-const $c928 = $made(Text, $c899, [500, false]);
-const $c923 = $made(Entry, $c896, ["source", $c928, false, "", "", "source", ""]);
-const $c929 = $made(Text, $c899, [60, false]);
-const $c924 = $made(Entry, $c896, ["date", $c929, false, "", "", "date", ""]);
-const $c930 = $made(Text, $c899, [1000, false]);
-const $c925 = $made(Entry, $c896, ["note", $c930, false, "", "", "note", ""]);
-const $c920 = [$c922, $c923, $c924, $c925];
-const $c921 = new Map([["kind", $c922], ["source", $c923], ["date", $c924], ["note", $c925]]);
-const $c2 = $made(tables$Table, $c881, [Provenance, $c920, $c921]);
-const $c913 = $made(Entry, $c896, ["provenance", $c2, false, "", "", "provenance", ""]);
-const $c907 = [$c909, $c910, $c911, $c912, $c913];
-const $c908 = new Map([["name", $c909], ["friction_factor", $c910], ["friction_factors", $c911], ["standard", $c912], ["provenance", $c913]]);
-const $c8 = $made(tables$Table, $c881, [Condition, $c907, $c908]);
-const $c216 = $made(TextOr, $c905, [$c217, $c8]);
-const $c903 = $made(OneOrMore, $c904, [$c216, 8]);
-const $c888 = $made(Entry, $c896, ["condition", $c903, false, "", "", "condition", ""]);
-const $c149 = $made(Name, $c906, [60]);
-const $c128 = $made(Entry, $c896, ["preset", $c149, false, "", "", "preset", ""]);
-const $c150 = $made(Name, $c906, [60]);
-const $c129 = $made(Entry, $c896, ["name", $c150, false, "", "", "name", ""]);
-const $c151 = $made(Text, $c899, [60, false]);
-const $c130 = $made(Entry, $c896, ["kind", $c151, false, "", "", "kind", ""]);
-const $c154 = $made(Limit, $c902, ["length", 0.001, 1000.0, false, false]);
-const $c152 = $made(Quantity, $c153, ["length", $c154]);
-const $c131 = $made(Entry, $c896, ["width", $c152, true, "", "", "width", ""]);
-const $c932 = ["word", "kind", "meaning"];
-const $c159 = $made(Limit, $c902, ["force_per_width", 1000.0, Infinity, false, true]);
-const $c158 = $made(Quantity, $c153, ["force_per_width", $c159]);
-const $c156 = $made(WordOr, $c932, ["rigid", $c158, Infinity]);
-const $c132 = $made(Entry, $c896, ["modulus", $c156, false, "", "", "modulus", ""]);
-const $c161 = $made(Limit, $c902, ["force_per_width", 0.0, Infinity, true, false]);
-const $c160 = $made(Quantity, $c153, ["force_per_width", $c161]);
-const $c133 = $made(Entry, $c896, ["rating", $c160, false, "", "", "rating", ""]);
-const $c163 = $made(Limit, $c902, ["force_per_width", 0.0, Infinity, true, false]);
-const $c162 = $made(Quantity, $c153, ["force_per_width", $c163]);
-const $c134 = $made(Entry, $c896, ["strength", $c162, false, "", "", "strength", ""]);
-const $c165 = $made(Limit, $c902, ["speed", 0.0, 1000.0, true, false]);
-const $c164 = $made(Quantity, $c153, ["speed", $c165]);
-const $c135 = $made(Entry, $c896, ["speed", $c164, false, "", "", "speed", ""]);
-const $c167 = $made(Limit, $c902, ["number", 1.0, 10.0, false, false]);
-const $c166 = $made(Quantity, $c153, ["number", $c167]);
-const $c136 = $made(Entry, $c896, ["momentary_factor", $c166, false, "", "", "momentary_factor", ""]);
-const $c169 = $made(Limit, $c902, ["length", 0.0, Infinity, true, false]);
-const $c168 = $made(Quantity, $c153, ["length", $c169]);
-const $c137 = $made(Entry, $c896, ["least_pulley_diameter", $c168, false, "", "", "least_pulley_diameter", ""]);
-const $c171 = $made(Limit, $c902, ["pressure", 0.0, Infinity, true, false]);
-const $c170 = $made(Quantity, $c153, ["pressure", $c171]);
-const $c138 = $made(Entry, $c896, ["largest_wrap_pressure", $c170, false, "", "", "largest_wrap_pressure", ""]);
-const $c173 = $made(Limit, $c902, ["force_per_width", 1.0, 1000000000.0, false, false]);
-const $c172 = $made(Quantity, $c153, ["force_per_width", $c173]);
-const $c139 = $made(Entry, $c896, ["in_plane_shear_stiffness", $c172, false, "", "", "in_plane_shear_stiffness", ""]);
-const $c175 = $made(Limit, $c902, ["length", 0.0, 0.06, false, false]);
-const $c174 = $made(Quantity, $c153, ["length", $c175]);
-const $c140 = $made(Entry, $c896, ["pulley_cover", $c174, false, "", "", "pulley_cover", ""]);
-const $c177 = $made(Limit, $c902, ["length", 0.0, 0.06, false, false]);
-const $c176 = $made(Quantity, $c153, ["length", $c177]);
-const $c141 = $made(Entry, $c896, ["carry_cover", $c176, false, "", "", "carry_cover", ""]);
-const $c179 = $made(Limit, $c902, ["length", 0.0, 0.06, true, false]);
-const $c178 = $made(Quantity, $c153, ["length", $c179]);
-const $c142 = $made(Entry, $c896, ["carcass", $c178, false, "", "", "carcass", ""]);
-const $c181 = $made(Limit, $c902, ["length", 0.0, 0.06, true, false]);
-const $c180 = $made(Quantity, $c153, ["length", $c181]);
-const $c143 = $made(Entry, $c896, ["thickness", $c180, false, "", "", "thickness", ""]);
-const $c184 = $made(Limit, $c902, ["pressure", 100000.0, 100000000.0, false, true]);
-const $c183 = $made(Quantity, $c153, ["pressure", $c184]);
-const $c182 = $made(WordOr, $c932, ["rigid", $c183, Infinity]);
-const $c144 = $made(Entry, $c896, ["cover_shear_modulus", $c182, false, "", "", "cover_shear_modulus", ""]);
-const $c186 = $made(Limit, $c902, ["mass_per_length", 0.0, 1000000.0, true, false]);
-const $c185 = $made(Quantity, $c153, ["mass_per_length", $c186]);
-const $c145 = $made(Entry, $c896, ["mass", $c185, false, "", "", "mass", ""]);
-const $c146 = $made(Entry, $c896, ["provenance", $c2, false, "", "", "provenance", ""]);
-const $c187 = $made(ByName, $c904, [$c2, 200]);
-const $c147 = $made(Entry, $c896, ["sources", $c187, false, "", "", "sources", ""]);
-const $c1 = [$c128, $c129, $c130, $c131, $c132, $c133, $c134, $c135, $c136, $c137, $c138, $c139, $c140, $c141, $c142, $c143, $c144, $c145, $c146, $c147];
-const $c931 = new Map([["preset", $c128], ["name", $c129], ["kind", $c130], ["width", $c131], ["modulus", $c132], ["rating", $c133], ["strength", $c134], ["speed", $c135], ["momentary_factor", $c136], ["least_pulley_diameter", $c137], ["largest_wrap_pressure", $c138], ["in_plane_shear_stiffness", $c139], ["pulley_cover", $c140], ["carry_cover", $c141], ["carcass", $c142], ["thickness", $c143], ["cover_shear_modulus", $c144], ["mass", $c145], ["provenance", $c146], ["sources", $c147]]);
-const $c5 = $made(tables$Table, $c881, [Belt, $c1, $c931]);
-const $c889 = $made(Entry, $c896, ["belt", $c5, true, "", "a [belt] table", "belt", ""]);
-const $c934 = ["kind", "least", "most"];
-const $c207 = $made(Name, $c906, [60]);
-const $c189 = $made(Entry, $c896, ["name", $c207, true, "", "name = \"head\"", "name", ""]);
-const $c209 = $made(Limit, $c902, ["length", 0.001, 1000.0, false, false]);
-const $c208 = $made(Quantity, $c153, ["length", $c209]);
-const $c190 = $made(Entry, $c896, ["diameter", $c208, true, "", "", "diameter", ""]);
-const $c211 = $made(Limit, $c902, ["angle", 0.017453292519943295, 12.566370614359172, false, false]);
-const $c210 = $made(Quantity, $c153, ["angle", $c211]);
-const $c191 = $made(Entry, $c896, ["wrap_angle", $c210, true, "wrap", "", "wrap_angle", "belt_path"]);
-const $c829 = $made(Limit, $c902, ["length", -100000.0, 100000.0, false, false]);
-const $c943 = $made(Quantity, $c153, ["length", $c829]);
-const $c938 = $made(Entry, $c896, ["x", $c943, true, "", "", "x", ""]);
-const $c944 = $made(Quantity, $c153, ["length", $c829]);
-const $c939 = $made(Entry, $c896, ["y", $c944, true, "", "", "y", ""]);
-const $c946 = ["clockwise", "counterclockwise"];
-const $c945 = $made(Choice, $c918, [$c946]);
-const $c940 = $made(Entry, $c896, ["turn", $c945, false, "", "", "turn", ""]);
-const $c953 = $made(Quantity, $c153, ["length", $c829]);
-const $c950 = $made(Entry, $c896, ["x", $c953, true, "", "", "x", ""]);
-const $c954 = $made(Quantity, $c153, ["length", $c829]);
-const $c951 = $made(Entry, $c896, ["y", $c954, true, "", "", "y", ""]);
-const $c830 = $made(Limit, $c902, ["length", 0.0, 1000.0, false, false]);
-const $c955 = $made(Quantity, $c153, ["length", $c830]);
-const $c952 = $made(Entry, $c896, ["diameter", $c955, false, "", "", "diameter", ""]);
-const $c948 = [$c950, $c951, $c952, $c940];
-const $c949 = new Map([["x", $c950], ["y", $c951], ["diameter", $c952], ["turn", $c940]]);
-const $c947 = $made(tables$Table, $c881, [Point, $c948, $c949]);
-const $c941 = $made(Entry, $c896, ["before", $c947, true, "", "a table with x and y", "before", ""]);
-const $c942 = $made(Entry, $c896, ["after", $c947, true, "", "a table with x and y", "after", ""]);
-const $c936 = [$c938, $c939, $c940, $c941, $c942];
-const $c937 = new Map([["x", $c938], ["y", $c939], ["turn", $c940], ["before", $c941], ["after", $c942]]);
-const $c212 = $made(tables$Table, $c881, [Point, $c936, $c937]);
-const $c192 = $made(Entry, $c896, ["belt_path", $c212, false, "", "", "belt_path", ""]);
-const $c215 = $made(Name, $c906, [500]);
-const $c979 = $made(Name, $c906, [500]);
-const $c959 = $made(Entry, $c896, ["preset", $c979, false, "", "", "preset", ""]);
-const $c980 = $made(Name, $c906, [60]);
-const $c960 = $made(Entry, $c896, ["name", $c980, false, "", "", "name", ""]);
-const $c981 = $made(Text, $c899, [200, false]);
-const $c961 = $made(Entry, $c896, ["title", $c981, false, "", "", "title", ""]);
-const $c982 = $made(Text, $c899, [5000, true]);
-const $c962 = $made(Entry, $c896, ["description", $c982, false, "", "", "description", ""]);
-const $c860 = ["bare", "rubber", "polyurethane", "ceramic"];
-const $c983 = $made(Choice, $c918, [$c860]);
-const $c963 = $made(Entry, $c896, ["surface", $c983, false, "", "", "surface", ""]);
-const $c843 = $made(Limit, $c902, ["length", 0.0, 1.0, false, false]);
-const $c984 = $made(Quantity, $c153, ["length", $c843]);
-const $c964 = $made(Entry, $c896, ["thickness", $c984, false, "", "", "thickness", ""]);
-const $c846 = $made(Limit, $c902, ["pressure", 1000.0, Infinity, false, false]);
-const $c985 = $made(Quantity, $c153, ["pressure", $c846]);
-const $c965 = $made(Entry, $c896, ["elastic_modulus", $c985, false, "", "", "elastic_modulus", ""]);
-const $c844 = $made(Limit, $c902, ["pressure", 1000.0, Infinity, false, true]);
-const $c987 = $made(Quantity, $c153, ["pressure", $c844]);
-const $c986 = $made(WordOr, $c932, ["rigid", $c987, Infinity]);
-const $c966 = $made(Entry, $c896, ["shear_modulus", $c986, false, "", "", "shear_modulus", ""]);
-const $c845 = $made(Limit, $c902, ["pressure", 1000.0, Infinity, false, true]);
-const $c989 = $made(Quantity, $c153, ["pressure", $c845]);
-const $c988 = $made(WordOr, $c932, ["rigid", $c989, Infinity]);
-const $c967 = $made(Entry, $c896, ["compression_modulus", $c988, false, "", "", "compression_modulus", ""]);
-const $c870 = ["square", "strip"];
-const $c997 = $made(Choice, $c918, [$c870]);
-const $c992 = $made(Entry, $c896, ["shape", $c997, false, "", "", "shape", ""]);
-const $c816 = $made(Limit, $c902, ["length", 0.0001, 10.0, false, false]);
-const $c998 = $made(Quantity, $c153, ["length", $c816]);
-const $c993 = $made(Entry, $c896, ["width", $c998, true, "", "", "width", ""]);
-const $c817 = $made(Limit, $c902, ["length", 0.0001, 1.0, false, false]);
-const $c999 = $made(Quantity, $c153, ["length", $c817]);
-const $c994 = $made(Entry, $c896, ["height", $c999, false, "", "", "height", ""]);
-const $c818 = $made(Limit, $c902, ["number", 0.0, 10.0, false, false]);
-const $c1000 = $made(Quantity, $c153, ["number", $c818]);
-const $c995 = $made(Entry, $c896, ["stiffening", $c1000, false, "", "", "stiffening", ""]);
-const $c819 = $made(Limit, $c902, ["number", 0.01, 1.0, false, false]);
-const $c1001 = $made(Quantity, $c153, ["number", $c819]);
-const $c996 = $made(Entry, $c896, ["contact_fraction", $c1001, false, "", "", "contact_fraction", ""]);
-const $c990 = [$c992, $c993, $c994, $c995, $c996];
-const $c991 = new Map([["shape", $c992], ["width", $c993], ["height", $c994], ["stiffening", $c995], ["contact_fraction", $c996]]);
-const $c90 = $made(tables$Table, $c881, [Block, $c990, $c991]);
-const $c968 = $made(Entry, $c896, ["block", $c90, false, "", "", "block", ""]);
-const $c847 = $made(Limit, $c902, ["wear_coefficient", 0.0, 1.0, false, false]);
-const $c1002 = $made(Quantity, $c153, ["wear_coefficient", $c847]);
-const $c969 = $made(Entry, $c896, ["wear_coefficient", $c1002, false, "", "", "wear_coefficient", ""]);
-const $c848 = $made(Limit, $c902, ["number", 0.0, 1.0, false, false]);
-const $c1003 = $made(Quantity, $c153, ["number", $c848]);
-const $c970 = $made(Entry, $c896, ["belt_energy_share", $c1003, false, "", "", "belt_energy_share", ""]);
-const $c849 = $made(Limit, $c902, ["pressure", 0.0, Infinity, true, false]);
-const $c1004 = $made(Quantity, $c153, ["pressure", $c849]);
-const $c971 = $made(Entry, $c896, ["bond_strength", $c1004, false, "", "", "bond_strength", ""]);
-const $c850 = $made(Limit, $c902, ["pressure", 0.0, Infinity, true, false]);
-const $c1005 = $made(Quantity, $c153, ["pressure", $c850]);
-const $c972 = $made(Entry, $c896, ["fatigue_limit", $c1005, false, "", "", "fatigue_limit", ""]);
-const $c1014 = $made(Limit, $c902, ["number", 0.0, Infinity, false, false]);
-const $c1013 = $made(Quantity, $c153, ["number", $c1014]);
-const $c1008 = $made(Entry, $c896, ["material", $c1013, true, "", "", "material", ""]);
-const $c1016 = $made(Limit, $c902, ["number", 0.0, Infinity, false, false]);
-const $c1015 = $made(Quantity, $c153, ["number", $c1016]);
-const $c1009 = $made(Entry, $c896, ["installation", $c1015, true, "", "", "installation", ""]);
-const $c1017 = $made(Name, $c906, [12]);
-const $c1010 = $made(Entry, $c896, ["currency", $c1017, true, "", "", "currency", ""]);
-const $c1019 = $made(Limit, $c902, ["area", 0.0, Infinity, true, false]);
-const $c1018 = $made(Quantity, $c153, ["area", $c1019]);
-const $c1011 = $made(Entry, $c896, ["area", $c1018, true, "", "", "area", ""]);
-const $c1021 = $made(Quantity, $c153, ["number", null]);
-const $c1020 = $made(Rows, $c934, [$c1021, 2, 2]);
-const $c1012 = $made(Entry, $c896, ["life_years", $c1020, true, "", "", "life_years", ""]);
-const $c1006 = [$c1008, $c1009, $c1010, $c1011, $c1012];
-const $c1007 = new Map([["material", $c1008], ["installation", $c1009], ["currency", $c1010], ["area", $c1011], ["life_years", $c1012]]);
-const $c86 = $made(tables$Table, $c881, [Cost, $c1006, $c1007]);
-const $c973 = $made(Entry, $c896, ["cost", $c86, false, "", "", "cost", ""]);
-const $c1023 = $made(Limit, $c902, ["speed", 0.0, Infinity, true, false]);
-const $c1022 = $made(Quantity, $c153, ["speed", $c1023]);
-const $c974 = $made(Entry, $c896, ["slip_speed", $c1022, false, "", "", "slip_speed", ""]);
-const $c1025 = $made(Limit, $c902, ["temperature", 0.0, Infinity, false, false]);
-const $c1024 = $made(Quantity, $c153, ["temperature", $c1025]);
-const $c975 = $made(Entry, $c896, ["temperature", $c1024, false, "", "", "temperature", ""]);
-const $c1032 = $made(Name, $c906, [60]);
-const $c1029 = $made(Entry, $c896, ["condition", $c1032, true, "", "", "condition", ""]);
-const $c1034 = $made(Limit, $c902, ["number", 0.0, 10.0, true, false]);
-const $c1033 = $made(Quantity, $c153, ["number", $c1034]);
-const $c1030 = $made(Entry, $c896, ["factor", $c1033, true, "", "", "factor", ""]);
-const $c1031 = $made(Entry, $c896, ["provenance", $c2, true, "", "", "provenance", ""]);
-const $c1027 = [$c1029, $c1030, $c1031];
-const $c1028 = new Map([["condition", $c1029], ["factor", $c1030], ["provenance", $c1031]]);
-const $c91 = $made(tables$Table, $c881, [ConditionFactor, $c1027, $c1028]);
-const $c1026 = $made(Rows, $c934, [$c91, 0, 20]);
-const $c976 = $made(Entry, $c896, ["condition_factor", $c1026, false, "", "", "condition_factor", ""]);
-const $c1036 = ["tag", "tables"];
-const $c1063 = ["integral-log"];
-const $c1062 = $made(Choice, $c918, [$c1063]);
-const $c1045 = $made(Entry, $c896, ["kind", $c1062, true, "", "", "kind", ""]);
-const $c1064 = $made(Name, $c906, [60]);
-const $c1046 = $made(Entry, $c896, ["condition", $c1064, false, "", "", "condition", ""]);
-const $c1047 = $made(Entry, $c896, ["provenance", $c2, false, "", "", "provenance", ""]);
-const $c1048 = $made(Entry, $c896, ["condition_source", $c2, false, "", "", "condition_source", ""]);
-const $c1077 = $made(Name, $c906, [120]);
-const $c1076 = $made(Rows, $c934, [$c1077, 1, 1000]);
-const $c1067 = $made(Entry, $c896, ["parameters", $c1076, true, "", "", "parameters", ""]);
-const $c1078 = $made(Rows, $c934, [$c1021, 1, 1000]);
-const $c1068 = $made(Entry, $c896, ["values", $c1078, true, "", "", "values", ""]);
-const $c1080 = $made(Rows, $c934, [$c1021, 1, 1000]);
-const $c1079 = $made(Rows, $c934, [$c1080, 1, 1000]);
-const $c1069 = $made(Entry, $c896, ["covariance", $c1079, true, "", "", "covariance", ""]);
-const $c1082 = $made(Limit, $c902, ["number", 0.0, Infinity, false, false]);
-const $c1081 = $made(Quantity, $c153, ["number", $c1082]);
-const $c1070 = $made(Entry, $c896, ["residual_noise", $c1081, false, "", "", "residual_noise", ""]);
-const $c1084 = $made(Limit, $c902, ["number", 1.0, Infinity, false, false]);
-const $c1083 = $made(Quantity, $c153, ["number", $c1084]);
-const $c1071 = $made(Entry, $c896, ["coverage_factor", $c1083, false, "", "", "coverage_factor", ""]);
-const $c1085 = $made(Text, $c899, [60, false]);
-const $c1072 = $made(Entry, $c896, ["date", $c1085, false, "", "", "date", ""]);
-const $c1086 = $made(Text, $c899, [500, false]);
-const $c1073 = $made(Entry, $c896, ["method", $c1086, false, "", "", "method", ""]);
-const $c1088 = $made(Text, $c899, [2000, true]);
-const $c1087 = $made(Rows, $c934, [$c1088, 0, 50]);
-const $c1074 = $made(Entry, $c896, ["misfit", $c1087, false, "", "", "misfit", ""]);
-const $c1089 = $made(Text, $c899, [500, false]);
-const $c1075 = $made(Entry, $c896, ["misfit_accepted", $c1089, false, "", "", "misfit_accepted", ""]);
-const $c1065 = [$c1067, $c1068, $c1069, $c1070, $c1071, $c1072, $c1073, $c1074, $c1075];
-const $c1066 = new Map([["parameters", $c1067], ["values", $c1068], ["covariance", $c1069], ["residual_noise", $c1070], ["coverage_factor", $c1071], ["date", $c1072], ["method", $c1073], ["misfit", $c1074], ["misfit_accepted", $c1075]]);
-const $c98 = $made(tables$Table, $c881, [Fit, $c1065, $c1066]);
-const $c1049 = $made(Entry, $c896, ["fit", $c98, false, "", "", "fit", ""]);
-const $c1092 = ["lagging shear", "cover shear"];
-const $c1091 = $made(Choice, $c918, [$c1092]);
-const $c1090 = $made(Rows, $c934, [$c1091, 0, 2]);
-const $c1050 = $made(Entry, $c896, ["slip_includes", $c1090, false, "", "", "slip_includes", ""]);
-const $c1099 = $made(Limit, $c902, ["speed", 0.0, Infinity, true, false]);
-const $c1098 = $made(Quantity, $c153, ["speed", $c1099]);
-const $c1097 = $made(Rows, $c934, [$c1098, 2, 100]);
-const $c1095 = $made(Entry, $c896, ["slip_speed", $c1097, true, "", "", "at", ""]);
-const $c1100 = $made(Rows, $c934, [$c1033, 2, 100]);
-const $c1096 = $made(Entry, $c896, ["factor", $c1100, true, "", "", "factor", ""]);
-const $c1093 = [$c1095, $c1096, $c1031];
-const $c1094 = new Map([["slip_speed", $c1095], ["factor", $c1096], ["provenance", $c1031]]);
-const $c96 = $made(tables$Table, $c881, [FrictionFactor, $c1093, $c1094]);
-const $c1051 = $made(Entry, $c896, ["slip_speed_factor", $c96, false, "", "", "slip_speed_factor", ""]);
-const $c1106 = $made(Limit, $c902, ["temperature", 0.0, Infinity, false, false]);
-const $c1105 = $made(Quantity, $c153, ["temperature", $c1106]);
-const $c1104 = $made(Rows, $c934, [$c1105, 2, 100]);
-const $c1103 = $made(Entry, $c896, ["temperature", $c1104, true, "", "", "at", ""]);
-const $c1101 = [$c1103, $c1096, $c1031];
-const $c1102 = new Map([["temperature", $c1103], ["factor", $c1096], ["provenance", $c1031]]);
-const $c97 = $made(tables$Table, $c881, [FrictionFactor, $c1101, $c1102]);
-const $c1052 = $made(Entry, $c896, ["temperature_factor", $c97, false, "", "", "temperature_factor", ""]);
-const $c1053 = $made(Entry, $c896, ["notes", $c1087, false, "", "", "notes", ""]);
-const $c1109 = $made(Limit, $c902, ["pressure", 0.0, 1000000000.0, true, false]);
-const $c1108 = $made(Quantity, $c153, ["pressure", $c1109]);
-const $c1107 = $made(Rows, $c934, [$c1108, 2, 2]);
-const $c1054 = $made(Entry, $c896, ["tested_pressure", $c1107, false, "", "", "tested_pressure", ""]);
-const $c1111 = $made(Limit, $c902, ["length", 0.0, 1.0, true, false]);
-const $c1110 = $made(Quantity, $c153, ["length", $c1111]);
-const $c1055 = $made(Entry, $c896, ["tested_slip", $c1110, false, "", "", "tested_slip", ""]);
-const $c1113 = $made(Limit, $c902, ["speed", 0.0, Infinity, true, false]);
-const $c1112 = $made(Quantity, $c153, ["speed", $c1113]);
-const $c1056 = $made(Entry, $c896, ["tested_slip_speed", $c1112, false, "", "", "tested_slip_speed", ""]);
-const $c1118 = $made(Entry, $c896, ["pressure", $c1108, true, "", "", "pressure", ""]);
-const $c1124 = $made(Limit, $c902, ["number", 0.0, 5.0, true, false]);
-const $c1123 = $made(Quantity, $c153, ["number", $c1124]);
-const $c1119 = $made(Entry, $c896, ["peak_friction", $c1123, true, "", "", "peak_friction", ""]);
-const $c1120 = $made(Entry, $c896, ["peak_slip", $c1110, true, "", "", "peak_slip", ""]);
-const $c1126 = $made(Limit, $c902, ["per_length", -1000000.0, 0.0, false, false]);
-const $c1125 = $made(Quantity, $c153, ["per_length", $c1126]);
-const $c1121 = $made(Entry, $c896, ["post_peak_slope", $c1125, false, "", "", "post_peak_slope", ""]);
-const $c1122 = $made(Entry, $c896, ["residual_friction", $c1123, false, "", "", "residual_friction", ""]);
-const $c1116 = [$c1118, $c1119, $c1120, $c1121, $c1122];
-const $c1117 = new Map([["pressure", $c1118], ["peak_friction", $c1119], ["peak_slip", $c1120], ["post_peak_slope", $c1121], ["residual_friction", $c1122]]);
-const $c1115 = $made(tables$Table, $c881, [null, $c1116, $c1117]);
-const $c1114 = $made(Rows, $c934, [$c1115, 1, 200]);
-const $c1057 = $made(Entry, $c896, ["knots", $c1114, false, "", "", "knots", ""]);
-const $c1131 = $made(Entry, $c896, ["from", $c1108, true, "", "", "from", ""]);
-const $c1132 = $made(Entry, $c896, ["to", $c1108, true, "", "", "to", ""]);
-const $c1137 = $made(Text, $c899, [300, false]);
-const $c1133 = $made(Entry, $c896, ["A", $c1137, true, "", "", "A", ""]);
-const $c1134 = $made(Entry, $c896, ["b", $c1137, true, "", "", "b", ""]);
-const $c1135 = $made(Entry, $c896, ["post_peak_slope", $c1137, false, "", "", "post_peak_slope", ""]);
-const $c1136 = $made(Entry, $c896, ["residual_friction", $c1137, false, "", "", "residual_friction", ""]);
-const $c1129 = [$c1131, $c1132, $c1133, $c1134, $c1135, $c1136];
-const $c1130 = new Map([["from", $c1131], ["to", $c1132], ["A", $c1133], ["b", $c1134], ["post_peak_slope", $c1135], ["residual_friction", $c1136]]);
-const $c1128 = $made(tables$Table, $c881, [null, $c1129, $c1130]);
-const $c1127 = $made(Rows, $c934, [$c1128, 1, 50]);
-const $c1058 = $made(Entry, $c896, ["pieces", $c1127, false, "", "", "pieces", ""]);
-const $c1138 = $made(Text, $c899, [20, false]);
-const $c1059 = $made(Entry, $c896, ["slip_unit", $c1138, false, "", "", "slip_unit", ""]);
-const $c1139 = $made(Text, $c899, [20, false]);
-const $c1060 = $made(Entry, $c896, ["pressure_unit", $c1139, false, "", "", "pressure_unit", ""]);
-const $c1141 = $made(Limit, $c902, ["number", 0.0, 0.5, false, false]);
-const $c1140 = $made(Quantity, $c153, ["number", $c1141]);
-const $c1061 = $made(Entry, $c896, ["continuity", $c1140, false, "", "", "continuity", ""]);
-const $c1043 = [$c1045, $c1046, $c1047, $c1048, $c1049, $c1050, $c1051, $c1052, $c1053, $c1054, $c1055, $c1056, $c1057, $c1058, $c1059, $c1060, $c1061];
-const $c1044 = new Map([["kind", $c1045], ["condition", $c1046], ["provenance", $c1047], ["condition_source", $c1048], ["fit", $c1049], ["slip_includes", $c1050], ["slip_speed_factor", $c1051], ["temperature_factor", $c1052], ["notes", $c1053], ["tested_pressure", $c1054], ["tested_slip", $c1055], ["tested_slip_speed", $c1056], ["knots", $c1057], ["pieces", $c1058], ["slip_unit", $c1059], ["pressure_unit", $c1060], ["continuity", $c1061]]);
-const $c1038 = $made(tables$Table, $c881, [IntegralLog, $c1043, $c1044]);
-const $c1147 = ["constant"];
-const $c1146 = $made(Choice, $c918, [$c1147]);
-const $c1144 = $made(Entry, $c896, ["kind", $c1146, true, "", "", "kind", ""]);
-const $c1145 = $made(Entry, $c896, ["friction", $c1123, true, "", "", "friction_coefficient", ""]);
-const $c1142 = [$c1144, $c1046, $c1047, $c1048, $c1049, $c1050, $c1051, $c1052, $c1053, $c1054, $c1055, $c1056, $c1145];
-const $c1143 = new Map([["kind", $c1144], ["condition", $c1046], ["provenance", $c1047], ["condition_source", $c1048], ["fit", $c1049], ["slip_includes", $c1050], ["slip_speed_factor", $c1051], ["temperature_factor", $c1052], ["notes", $c1053], ["tested_pressure", $c1054], ["tested_slip", $c1055], ["tested_slip_speed", $c1056], ["friction", $c1145]]);
-const $c1039 = $made(tables$Table, $c881, [Constant, $c1142, $c1143]);
-const $c1153 = ["elastic-plastic"];
-const $c1152 = $made(Choice, $c918, [$c1153]);
-const $c1150 = $made(Entry, $c896, ["kind", $c1152, true, "", "", "kind", ""]);
-const $c1155 = $made(Limit, $c902, ["pressure_per_length", 0.0, 1000000000000000.0, true, false]);
-const $c1154 = $made(Quantity, $c153, ["pressure_per_length", $c1155]);
-const $c1151 = $made(Entry, $c896, ["stiffness", $c1154, true, "", "", "stiffness", ""]);
-const $c1148 = [$c1150, $c1046, $c1047, $c1048, $c1049, $c1050, $c1051, $c1052, $c1053, $c1054, $c1055, $c1056, $c1151, $c1145];
-const $c1149 = new Map([["kind", $c1150], ["condition", $c1046], ["provenance", $c1047], ["condition_source", $c1048], ["fit", $c1049], ["slip_includes", $c1050], ["slip_speed_factor", $c1051], ["temperature_factor", $c1052], ["notes", $c1053], ["tested_pressure", $c1054], ["tested_slip", $c1055], ["tested_slip_speed", $c1056], ["stiffness", $c1151], ["friction", $c1145]]);
-const $c1040 = $made(tables$Table, $c881, [ElasticPlastic, $c1148, $c1149]);
-const $c1163 = ["power"];
-const $c1162 = $made(Choice, $c918, [$c1163]);
-const $c1158 = $made(Entry, $c896, ["kind", $c1162, true, "", "", "kind", ""]);
-const $c1159 = $made(Entry, $c896, ["friction", $c1123, true, "", "", "friction_coefficient", ""]);
-const $c1160 = $made(Entry, $c896, ["reference_pressure", $c1108, true, "", "", "reference_pressure", ""]);
-const $c1161 = $made(Entry, $c896, ["exponent", $c1021, true, "", "", "exponent", ""]);
-const $c1156 = [$c1158, $c1046, $c1047, $c1048, $c1049, $c1050, $c1051, $c1052, $c1053, $c1054, $c1055, $c1056, $c1159, $c1160, $c1161];
-const $c1157 = new Map([["kind", $c1158], ["condition", $c1046], ["provenance", $c1047], ["condition_source", $c1048], ["fit", $c1049], ["slip_includes", $c1050], ["slip_speed_factor", $c1051], ["temperature_factor", $c1052], ["notes", $c1053], ["tested_pressure", $c1054], ["tested_slip", $c1055], ["tested_slip_speed", $c1056], ["friction", $c1159], ["reference_pressure", $c1160], ["exponent", $c1161]]);
-const $c1041 = $made(tables$Table, $c881, [PressurePower, $c1156, $c1157]);
-const $c1170 = ["table"];
-const $c1169 = $made(Choice, $c918, [$c1170]);
-const $c1166 = $made(Entry, $c896, ["kind", $c1169, true, "", "", "kind", ""]);
-const $c1173 = $made(Limit, $c902, ["length", 0.0, 1.0, false, false]);
-const $c1172 = $made(Quantity, $c153, ["length", $c1173]);
-const $c1171 = $made(Rows, $c934, [$c1172, 2, 1000]);
-const $c1167 = $made(Entry, $c896, ["slip", $c1171, true, "", "slip = [\"0 mm\", \"2 mm\", \"10 mm\"]", "slip", ""]);
-const $c1178 = $made(Entry, $c896, ["pressure", $c1108, true, "", "", "pressure", ""]);
-const $c1182 = $made(Limit, $c902, ["number", 0.0, 5.0, false, false]);
-const $c1181 = $made(Quantity, $c153, ["number", $c1182]);
-const $c1180 = $made(Rows, $c934, [$c1181, 2, 1000]);
-const $c1179 = $made(Entry, $c896, ["friction", $c1180, true, "", "", "values", ""]);
-const $c1176 = [$c1178, $c1179];
-const $c1177 = new Map([["pressure", $c1178], ["friction", $c1179]]);
-const $c1175 = $made(tables$Table, $c881, [null, $c1176, $c1177]);
-const $c1174 = $made(Rows, $c934, [$c1175, 1, 200]);
-const $c1168 = $made(Entry, $c896, ["rows", $c1174, true, "", "rows = [{ pressure = \"100 kPa\", friction = [0.0, 0.4, 0.5] }], a friction for each slip", "rows", ""]);
-const $c1164 = [$c1166, $c1046, $c1047, $c1048, $c1049, $c1050, $c1051, $c1052, $c1053, $c1167, $c1168];
-const $c1165 = new Map([["kind", $c1166], ["condition", $c1046], ["provenance", $c1047], ["condition_source", $c1048], ["fit", $c1049], ["slip_includes", $c1050], ["slip_speed_factor", $c1051], ["temperature_factor", $c1052], ["notes", $c1053], ["slip", $c1167], ["rows", $c1168]]);
-const $c1042 = $made(tables$Table, $c881, [MeasuredTable, $c1164, $c1165]);
-const $c1037 = new Map([["integral-log", $c1038], ["constant", $c1039], ["elastic-plastic", $c1040], ["power", $c1041], ["table", $c1042]]);
-const $c94 = $made(Variant, $c1036, ["kind", $c1037]);
-const $c1035 = $made(OneOrMore, $c904, [$c94, 50]);
-const $c977 = $made(Entry, $c896, ["law", $c1035, false, "", "", "law", ""]);
-const $c978 = $made(Entry, $c896, ["notes", $c1087, false, "", "", "notes", ""]);
-const $c957 = [$c959, $c960, $c961, $c962, $c963, $c964, $c965, $c966, $c967, $c968, $c969, $c970, $c971, $c972, $c973, $c974, $c975, $c976, $c977, $c146, $c147, $c978];
-const $c958 = new Map([["preset", $c959], ["name", $c960], ["title", $c961], ["description", $c962], ["surface", $c963], ["thickness", $c964], ["elastic_modulus", $c965], ["shear_modulus", $c966], ["compression_modulus", $c967], ["block", $c968], ["wear_coefficient", $c969], ["belt_energy_share", $c970], ["bond_strength", $c971], ["fatigue_limit", $c972], ["cost", $c973], ["slip_speed", $c974], ["temperature", $c975], ["condition_factor", $c976], ["law", $c977], ["provenance", $c146], ["sources", $c147], ["notes", $c978]]);
-const $c956 = $made(tables$Table, $c881, [Lagging, $c957, $c958]);
-const $c213 = $made(TextOr, $c905, [$c215, $c956]);
-const $c193 = $made(Entry, $c896, ["lagging", $c213, true, "", "lagging = \"diamond-rubber\"", "lagging", ""]);
-const $c194 = $made(Entry, $c896, ["condition", $c216, false, "", "", "condition", ""]);
-const $c219 = $made(Limit, $c902, ["force", 0.1, 1000000000.0, false, false]);
-const $c218 = $made(Quantity, $c153, ["force", $c219]);
-const $c195 = $made(Entry, $c896, ["entry_tension", $c218, false, "", "", "entry_tension", ""]);
-const $c196 = $made(Entry, $c896, ["exit_tension", $c218, false, "", "", "exit_tension", ""]);
-const $c220 = $made(Quantity, $c153, ["force", null]);
-const $c197 = $made(Entry, $c896, ["effective_tension", $c220, false, "", "", "effective_tension", ""]);
-const $c221 = $made(Quantity, $c153, ["torque", null]);
-const $c198 = $made(Entry, $c896, ["torque", $c221, false, "", "", "torque", ""]);
-const $c222 = $made(Quantity, $c153, ["power", null]);
-const $c199 = $made(Entry, $c896, ["power", $c222, false, "", "", "power", ""]);
-const $c225 = $made(Limit, $c902, ["length", -1.0, 1.0, false, false]);
-const $c224 = $made(Quantity, $c153, ["length", $c225]);
-const $c223 = $made(WordOr, $c932, ["formula", $c224, null]);
-const $c200 = $made(Entry, $c896, ["overrun", $c223, false, "", "", "overrun", ""]);
-const $c226 = $made(Flag, [], []);
-const $c201 = $made(Entry, $c896, ["recovery", $c226, false, "", "", "recovery", ""]);
-const $c228 = $made(Limit, $c902, ["length", 0.0, 1.0, true, false]);
-const $c227 = $made(Quantity, $c153, ["length", $c228]);
-const $c202 = $made(Entry, $c896, ["creep_limit", $c227, false, "", "", "creep_limit", ""]);
-const $c867 = ["pulley", "carry"];
-const $c229 = $made(Choice, $c918, [$c867]);
-const $c203 = $made(Entry, $c896, ["side", $c229, false, "", "", "side", ""]);
-const $c231 = $made(Limit, $c902, ["mass", 0.0, 1000000.0, true, false]);
-const $c230 = $made(Quantity, $c153, ["mass", $c231]);
-const $c204 = $made(Entry, $c896, ["mass", $c230, false, "", "", "mass", ""]);
-const $c1599 = ["dimension", "diameters", "rows", "within"];
-const $c1200 = ["kinds"];
-const $c1202 = $made(Quantity, $c153, ["length", null]);
-const $c1203 = $made(Quantity, $c153, ["length", null]);
-const $c1201 = [$c1202, $c1203];
-const $c1199 = $made(_Pair, $c1200, [$c1201]);
-const $c1197 = $made(Rows, $c934, [$c1199, 0, 500]);
-const $c1206 = $made(Entry, $c896, ["rows", $c1197, false, "", "", "rows", ""]);
-const $c1211 = $made(Quantity, $c153, ["length", null]);
-const $c1207 = $made(Entry, $c896, ["crown", $c1211, false, "", "", "crown", ""]);
-const $c1213 = $made(Limit, $c902, ["number", 0.0, 100.0, false, false]);
-const $c1212 = $made(Quantity, $c153, ["number", $c1213]);
-const $c1208 = $made(Entry, $c896, ["factor", $c1212, false, "", "", "factor", ""]);
-const $c1215 = $made(Limit, $c902, ["length", 0.0, Infinity, false, false]);
-const $c1214 = $made(Quantity, $c153, ["length", $c1215]);
-const $c1209 = $made(Entry, $c896, ["uncertainty", $c1214, false, "", "", "uncertainty", ""]);
-const $c1217 = ["radius", "diameter"];
-const $c1216 = $made(Choice, $c918, [$c1217]);
-const $c1210 = $made(Entry, $c896, ["on", $c1216, false, "", "", "on", ""]);
-const $c1204 = [$c1206, $c1207, $c1208, $c1209, $c1210];
-const $c1205 = new Map([["rows", $c1206], ["crown", $c1207], ["factor", $c1208], ["uncertainty", $c1209], ["on", $c1210]]);
-const $c1198 = $made(tables$Table, $c881, [null, $c1204, $c1205]);
-const $c1196 = $made(TextOr, $c905, [$c1197, $c1198]);
-const $c1194 = $made(Profile, $c1599, ["length", true, $c1197, $c1196]);
-const $c1185 = $made(Entry, $c896, ["shell_profile", $c1194, false, "", "", "shell_profile", ""]);
-const $c1224 = $made(Quantity, $c153, ["length", null]);
-const $c1225 = $made(Quantity, $c153, ["length", null]);
-const $c1223 = [$c1224, $c1225];
-const $c1222 = $made(_Pair, $c1200, [$c1223]);
-const $c1220 = $made(Rows, $c934, [$c1222, 0, 500]);
-const $c1228 = $made(Entry, $c896, ["rows", $c1220, false, "", "", "rows", ""]);
-const $c1233 = $made(Quantity, $c153, ["length", null]);
-const $c1229 = $made(Entry, $c896, ["crown", $c1233, false, "", "", "crown", ""]);
-const $c1235 = $made(Limit, $c902, ["number", 0.0, 100.0, false, false]);
-const $c1234 = $made(Quantity, $c153, ["number", $c1235]);
-const $c1230 = $made(Entry, $c896, ["factor", $c1234, false, "", "", "factor", ""]);
-const $c1237 = $made(Limit, $c902, ["length", 0.0, Infinity, false, false]);
-const $c1236 = $made(Quantity, $c153, ["length", $c1237]);
-const $c1231 = $made(Entry, $c896, ["uncertainty", $c1236, false, "", "", "uncertainty", ""]);
-const $c1238 = $made(Choice, $c918, [$c1217]);
-const $c1232 = $made(Entry, $c896, ["on", $c1238, false, "", "", "on", ""]);
-const $c1226 = [$c1228, $c1229, $c1230, $c1231, $c1232];
-const $c1227 = new Map([["rows", $c1228], ["crown", $c1229], ["factor", $c1230], ["uncertainty", $c1231], ["on", $c1232]]);
-const $c1221 = $made(tables$Table, $c881, [null, $c1226, $c1227]);
-const $c1219 = $made(TextOr, $c905, [$c1220, $c1221]);
-const $c1218 = $made(Profile, $c1599, ["length", true, $c1220, $c1219]);
-const $c1186 = $made(Entry, $c896, ["worn_depth", $c1218, false, "", "", "worn_depth", ""]);
-const $c1245 = $made(Quantity, $c153, ["length", null]);
-const $c1246 = $made(Quantity, $c153, ["length", null]);
-const $c1244 = [$c1245, $c1246];
-const $c1243 = $made(_Pair, $c1200, [$c1244]);
-const $c1241 = $made(Rows, $c934, [$c1243, 0, 500]);
-const $c1249 = $made(Entry, $c896, ["rows", $c1241, false, "", "", "rows", ""]);
-const $c1254 = $made(Quantity, $c153, ["length", null]);
-const $c1250 = $made(Entry, $c896, ["crown", $c1254, false, "", "", "crown", ""]);
-const $c1256 = $made(Limit, $c902, ["number", 0.0, 100.0, false, false]);
-const $c1255 = $made(Quantity, $c153, ["number", $c1256]);
-const $c1251 = $made(Entry, $c896, ["factor", $c1255, false, "", "", "factor", ""]);
-const $c1258 = $made(Limit, $c902, ["length", 0.0, Infinity, false, false]);
-const $c1257 = $made(Quantity, $c153, ["length", $c1258]);
-const $c1252 = $made(Entry, $c896, ["uncertainty", $c1257, false, "", "", "uncertainty", ""]);
-const $c1259 = $made(Choice, $c918, [$c1217]);
-const $c1253 = $made(Entry, $c896, ["on", $c1259, false, "", "", "on", ""]);
-const $c1247 = [$c1249, $c1250, $c1251, $c1252, $c1253];
-const $c1248 = new Map([["rows", $c1249], ["crown", $c1250], ["factor", $c1251], ["uncertainty", $c1252], ["on", $c1253]]);
-const $c1242 = $made(tables$Table, $c881, [null, $c1247, $c1248]);
-const $c1240 = $made(TextOr, $c905, [$c1241, $c1242]);
-const $c1239 = $made(Profile, $c1599, ["length", true, $c1241, $c1240]);
-const $c1187 = $made(Entry, $c896, ["build_up", $c1239, false, "", "", "build_up", ""]);
-const $c1261 = $made(Limit, $c902, ["number", -0.1, 0.1, false, false]);
-const $c1260 = $made(Quantity, $c153, ["number", $c1261]);
-const $c1188 = $made(Entry, $c896, ["misalignment", $c1260, false, "", "", "misalignment", ""]);
-const $c1263 = $made(Limit, $c902, ["length", -0.1, 0.1, false, false]);
-const $c1262 = $made(Quantity, $c153, ["length", $c1263]);
-const $c1189 = $made(Entry, $c896, ["deflection", $c1262, false, "", "", "deflection", ""]);
-const $c1270 = $made(Quantity, $c153, ["length", null]);
-const $c1271 = $made(Quantity, $c153, ["force_per_width", null]);
-const $c1269 = [$c1270, $c1271];
-const $c1268 = $made(_Pair, $c1200, [$c1269]);
-const $c1266 = $made(Rows, $c934, [$c1268, 0, 500]);
-const $c1274 = $made(Entry, $c896, ["rows", $c1266, false, "", "", "rows", ""]);
-const $c1278 = $made(Quantity, $c153, ["force_per_width", null]);
-const $c1275 = $made(Entry, $c896, ["crown", $c1278, false, "", "", "crown", ""]);
-const $c1280 = $made(Limit, $c902, ["number", 0.0, 100.0, false, false]);
-const $c1279 = $made(Quantity, $c153, ["number", $c1280]);
-const $c1276 = $made(Entry, $c896, ["factor", $c1279, false, "", "", "factor", ""]);
-const $c1282 = $made(Limit, $c902, ["force_per_width", 0.0, Infinity, false, false]);
-const $c1281 = $made(Quantity, $c153, ["force_per_width", $c1282]);
-const $c1277 = $made(Entry, $c896, ["uncertainty", $c1281, false, "", "", "uncertainty", ""]);
-const $c1272 = [$c1274, $c1275, $c1276, $c1277];
-const $c1273 = new Map([["rows", $c1274], ["crown", $c1275], ["factor", $c1276], ["uncertainty", $c1277]]);
-const $c1267 = $made(tables$Table, $c881, [null, $c1272, $c1273]);
-const $c1265 = $made(TextOr, $c905, [$c1266, $c1267]);
-const $c1264 = $made(Profile, $c1599, ["force_per_width", false, $c1266, $c1265]);
-const $c1190 = $made(Entry, $c896, ["entry_profile", $c1264, false, "", "", "entry_profile", ""]);
-const $c1292 = ["pulley"];
-const $c1291 = $made(Choice, $c918, [$c1292]);
-const $c1289 = $made(Entry, $c896, ["kind", $c1291, true, "", "", "kind", ""]);
-const $c1294 = $made(Limit, $c902, ["length", 0.0, 100000.0, true, false]);
-const $c1293 = $made(Quantity, $c153, ["length", $c1294]);
-const $c1290 = $made(Entry, $c896, ["distance", $c1293, true, "", "", "distance", ""]);
-const $c1287 = [$c1289, $c1290];
-const $c1288 = new Map([["kind", $c1289], ["distance", $c1290]]);
-const $c1285 = $made(tables$Table, $c881, [GrippingPulley, $c1287, $c1288]);
-const $c1303 = ["transition"];
-const $c1302 = $made(Choice, $c918, [$c1303]);
-const $c1297 = $made(Entry, $c896, ["kind", $c1302, true, "", "", "kind", ""]);
-const $c1305 = $made(Limit, $c902, ["length", 0.0, 1000.0, true, false]);
-const $c1304 = $made(Quantity, $c153, ["length", $c1305]);
-const $c1298 = $made(Entry, $c896, ["length", $c1304, true, "", "length = \"2.9 m\"", "length", ""]);
-const $c1307 = $made(Limit, $c902, ["angle", 0.0, 1.5707963267948966, true, false]);
-const $c1306 = $made(Quantity, $c153, ["angle", $c1307]);
-const $c1299 = $made(Entry, $c896, ["trough_angle", $c1306, true, "", "trough_angle = \"35 deg\"", "trough_angle", ""]);
-const $c1309 = $made(Limit, $c902, ["length", 0.0, 100.0, false, false]);
-const $c1308 = $made(Quantity, $c153, ["length", $c1309]);
-const $c1300 = $made(Entry, $c896, ["centre_roll", $c1308, true, "", "centre_roll = \"465 mm\"", "centre_roll", ""]);
-const $c1311 = ["full", "half"];
-const $c1310 = $made(Choice, $c918, [$c1311]);
-const $c1301 = $made(Entry, $c896, ["depth", $c1310, false, "", "", "depth", ""]);
-const $c1295 = [$c1297, $c1298, $c1299, $c1300, $c1301];
-const $c1296 = new Map([["kind", $c1297], ["length", $c1298], ["trough_angle", $c1299], ["centre_roll", $c1300], ["depth", $c1301]]);
-const $c1286 = $made(tables$Table, $c881, [Transition, $c1295, $c1296]);
-const $c1284 = new Map([["pulley", $c1285], ["transition", $c1286]]);
-const $c28 = $made(Variant, $c1036, ["kind", $c1284]);
-const $c1283 = $made(WordOr, $c932, ["far", $c28, null]);
-const $c1191 = $made(Entry, $c896, ["before", $c1283, false, "", "", "before", ""]);
-const $c1319 = ["pulley"];
-const $c1318 = $made(Choice, $c918, [$c1319]);
-const $c1317 = $made(Entry, $c896, ["kind", $c1318, true, "", "", "kind", ""]);
-const $c1315 = [$c1317, $c1290];
-const $c1316 = new Map([["kind", $c1317], ["distance", $c1290]]);
-const $c1314 = $made(tables$Table, $c881, [GrippingPulley, $c1315, $c1316]);
-const $c1313 = new Map([["pulley", $c1314]]);
-const $c29 = $made(Variant, $c1036, ["kind", $c1313]);
-const $c1312 = $made(WordOr, $c932, ["far", $c29, null]);
-const $c1192 = $made(Entry, $c896, ["after", $c1312, false, "", "", "after", ""]);
-const $c1321 = ["least", "most"];
-const $c1320 = $made(Count, $c1321, [4, 128]);
-const $c1193 = $made(Entry, $c896, ["strips", $c1320, false, "", "", "strips", ""]);
-const $c1183 = [$c1185, $c1186, $c1187, $c1188, $c1189, $c1190, $c1191, $c1192, $c1193];
-const $c1184 = new Map([["shell_profile", $c1185], ["worn_depth", $c1186], ["build_up", $c1187], ["misalignment", $c1188], ["deflection", $c1189], ["entry_profile", $c1190], ["before", $c1191], ["after", $c1192], ["strips", $c1193]]);
-const $c30 = $made(tables$Table, $c881, [Across, $c1183, $c1184]);
-const $c205 = $made(Entry, $c896, ["across", $c30, false, "", "", "across", ""]);
-const $c232 = $made(ByName, $c904, [$c2, 200]);
-const $c206 = $made(Entry, $c896, ["sources", $c232, false, "", "", "sources", ""]);
-const $c9 = [$c189, $c190, $c191, $c192, $c193, $c194, $c195, $c196, $c197, $c198, $c199, $c200, $c201, $c202, $c203, $c204, $c205, $c206];
-const $c935 = new Map([["name", $c189], ["diameter", $c190], ["wrap_angle", $c191], ["belt_path", $c192], ["lagging", $c193], ["condition", $c194], ["entry_tension", $c195], ["exit_tension", $c196], ["effective_tension", $c197], ["torque", $c198], ["power", $c199], ["overrun", $c200], ["recovery", $c201], ["creep_limit", $c202], ["side", $c203], ["mass", $c204], ["across", $c205], ["sources", $c206]]);
-const $c31 = $made(tables$Table, $c881, [Pulley, $c9, $c935]);
-const $c933 = $made(Rows, $c934, [$c31, 1, 10]);
-const $c890 = $made(Entry, $c896, ["pulley", $c933, true, "", "a [[pulley]] table for each pulley", "pulley", ""]);
-const $c1322 = $made(ByName, $c904, [$c956, 200]);
-const $c891 = $made(Entry, $c896, ["lagging", $c1322, false, "", "", "lagging", ""]);
-const $c1333 = $made(Name, $c906, [60]);
-const $c1327 = $made(Entry, $c896, ["name", $c1333, true, "", "name = \"start\"", "name", ""]);
-const $c1334 = $made(Text, $c899, [1000, true]);
-const $c1328 = $made(Entry, $c896, ["description", $c1334, false, "", "", "description", ""]);
-const $c103 = ["running", "starting", "braking"];
-const $c1335 = $made(Choice, $c918, [$c103]);
-const $c1329 = $made(Entry, $c896, ["kind", $c1335, false, "", "", "kind", ""]);
-const $c1330 = $made(Entry, $c896, ["condition", $c216, false, "", "", "condition", ""]);
-const $c1338 = [$c195, $c196, $c197, $c198, $c199];
-const $c1339 = new Map([["entry_tension", $c195], ["exit_tension", $c196], ["effective_tension", $c197], ["torque", $c198], ["power", $c199]]);
-const $c1337 = $made(tables$Table, $c881, [null, $c1338, $c1339]);
-const $c1336 = $made(ByName, $c904, [$c1337, 200]);
-const $c1331 = $made(Entry, $c896, ["pulley", $c1336, false, "", "", "pulley", ""]);
-const $c1340 = $made(Elsewhere, [], []);
-const $c1332 = $made(Entry, $c896, ["train", $c1340, false, "", "", "train", ""]);
-const $c1325 = [$c1327, $c1328, $c1329, $c1330, $c1331, $c1332];
-const $c1326 = new Map([["name", $c1327], ["description", $c1328], ["kind", $c1329], ["condition", $c1330], ["pulley", $c1331], ["train", $c1332]]);
-const $c1324 = $made(tables$Table, $c881, [null, $c1325, $c1326]);
-const $c1323 = $made(Rows, $c934, [$c1324, 1, 1000]);
-const $c892 = $made(Entry, $c896, ["load_case", $c1323, false, "", "", "load_case", ""]);
-const $c681 = $made(Limit, $c902, ["length", 0.0, 100000.0, true, false]);
-const $c1362 = $made(Quantity, $c153, ["length", $c681]);
-const $c1343 = $made(Entry, $c896, ["length", $c1362, true, "", "length = \"600 m\"", "length", ""]);
-const $c682 = $made(Limit, $c902, ["length", -5000.0, 5000.0, false, false]);
-const $c1363 = $made(Quantity, $c153, ["length", $c682]);
-const $c1344 = $made(Entry, $c896, ["lift", $c1363, false, "", "", "lift", ""]);
-const $c683 = $made(Limit, $c902, ["mass_per_length", 0.0, 10000.0, true, false]);
-const $c1364 = $made(Quantity, $c153, ["mass_per_length", $c683]);
-const $c1345 = $made(Entry, $c896, ["belt_mass", $c1364, true, "", "", "belt_mass", ""]);
-const $c684 = $made(Limit, $c902, ["mass_per_length", 0.0, 10000.0, false, false]);
-const $c1365 = $made(Quantity, $c153, ["mass_per_length", $c684]);
-const $c1346 = $made(Entry, $c896, ["carry_idler_mass", $c1365, true, "", "", "carry_idler_mass", ""]);
-const $c685 = $made(Limit, $c902, ["mass_per_length", 0.0, 10000.0, false, false]);
-const $c1366 = $made(Quantity, $c153, ["mass_per_length", $c685]);
-const $c1347 = $made(Entry, $c896, ["return_idler_mass", $c1366, true, "", "", "return_idler_mass", ""]);
-const $c1367 = $made(Quantity, $c153, ["mass_per_length", $c683]);
-const $c1348 = $made(Entry, $c896, ["material_mass", $c1367, false, "", "", "material_mass", ""]);
-const $c686 = $made(Limit, $c902, ["mass_flow", 0.0, 100000.0, true, false]);
-const $c1368 = $made(Quantity, $c153, ["mass_flow", $c686]);
-const $c1349 = $made(Entry, $c896, ["capacity", $c1368, false, "", "", "capacity", ""]);
-const $c687 = $made(Limit, $c902, ["number", 0.005, 0.1, false, false]);
-const $c1369 = $made(Quantity, $c153, ["number", $c687]);
-const $c1350 = $made(Entry, $c896, ["friction_factor", $c1369, false, "", "", "friction_factor", ""]);
-const $c688 = $made(Limit, $c902, ["number", 1.0, 10.0, false, false]);
-const $c1370 = $made(Quantity, $c153, ["number", $c688]);
-const $c1351 = $made(Entry, $c896, ["length_coefficient", $c1370, false, "", "", "length_coefficient", ""]);
-const $c689 = $made(Limit, $c902, ["force", 0.0, 100000000.0, false, false]);
-const $c1371 = $made(Quantity, $c153, ["force", $c689]);
-const $c1352 = $made(Entry, $c896, ["secondary_resistance", $c1371, false, "", "", "secondary_resistance", ""]);
-const $c1372 = $made(Quantity, $c153, ["force", $c689]);
-const $c1353 = $made(Entry, $c896, ["special_resistance", $c1372, false, "", "", "special_resistance", ""]);
-const $c690 = $made(Limit, $c902, ["number", 0.0, 1.0, false, false]);
-const $c1373 = $made(Quantity, $c153, ["number", $c690]);
-const $c1354 = $made(Entry, $c896, ["return_share", $c1373, false, "", "", "return_share", ""]);
-const $c691 = $made(Limit, $c902, ["number", 1.0, 5.0, false, false]);
-const $c1374 = $made(Quantity, $c153, ["number", $c691]);
-const $c1355 = $made(Entry, $c896, ["start_factor", $c1374, false, "", "", "start_factor", ""]);
-const $c692 = $made(Limit, $c902, ["time", 0.0, 3600.0, true, false]);
-const $c1375 = $made(Quantity, $c153, ["time", $c692]);
-const $c1356 = $made(Entry, $c896, ["start_time", $c1375, false, "", "", "start_time", ""]);
-const $c1376 = $made(Quantity, $c153, ["time", $c692]);
-const $c1357 = $made(Entry, $c896, ["stop_time", $c1376, false, "", "", "stop_time", ""]);
-const $c693 = $made(Limit, $c902, ["force", 0.0, 100000000.0, true, false]);
-const $c1377 = $made(Quantity, $c153, ["force", $c693]);
-const $c1358 = $made(Entry, $c896, ["take_up_tension", $c1377, false, "", "", "take_up_tension", ""]);
-const $c694 = $made(Limit, $c902, ["mass", 0.0, 10000000.0, true, false]);
-const $c1378 = $made(Quantity, $c153, ["mass", $c694]);
-const $c1359 = $made(Entry, $c896, ["counterweight", $c1378, false, "", "", "counterweight", ""]);
-const $c695 = $made(Limit, $c902, ["length", 0.0, 100000.0, false, false]);
-const $c1379 = $made(Quantity, $c153, ["length", $c695]);
-const $c1360 = $made(Entry, $c896, ["take_up_distance", $c1379, false, "", "", "take_up_distance", ""]);
-const $c868 = ["head", "tail"];
-const $c1380 = $made(Choice, $c918, [$c868]);
-const $c1361 = $made(Entry, $c896, ["drive_at", $c1380, false, "", "", "drive_at", ""]);
-const $c1341 = [$c1343, $c1344, $c1345, $c1346, $c1347, $c1348, $c1349, $c1350, $c1351, $c1352, $c1353, $c1354, $c1355, $c1356, $c1357, $c1358, $c1359, $c1360, $c1361];
-const $c1342 = new Map([["length", $c1343], ["lift", $c1344], ["belt_mass", $c1345], ["carry_idler_mass", $c1346], ["return_idler_mass", $c1347], ["material_mass", $c1348], ["capacity", $c1349], ["friction_factor", $c1350], ["length_coefficient", $c1351], ["secondary_resistance", $c1352], ["special_resistance", $c1353], ["return_share", $c1354], ["start_factor", $c1355], ["start_time", $c1356], ["stop_time", $c1357], ["take_up_tension", $c1358], ["counterweight", $c1359], ["take_up_distance", $c1360], ["drive_at", $c1361]]);
-const $c35 = $made(tables$Table, $c881, [Conveyor, $c1341, $c1342]);
-const $c893 = $made(Entry, $c896, ["conveyor", $c35, false, "", "", "conveyor", ""]);
-const $c861 = ["gravity", "winch", "fixed"];
-const $c1386 = $made(Choice, $c918, [$c861]);
-const $c1383 = $made(Entry, $c896, ["kind", $c1386, false, "", "", "kind", ""]);
-const $c852 = $made(Limit, $c902, ["number", 0.01, 100.0, false, false]);
-const $c1387 = $made(Quantity, $c153, ["number", $c852]);
-const $c1384 = $made(Entry, $c896, ["sheave_ratio", $c1387, false, "", "", "sheave_ratio", ""]);
-const $c1388 = $made(Name, $c906, [60]);
-const $c1385 = $made(Entry, $c896, ["after", $c1388, false, "", "", "after", ""]);
-const $c1381 = [$c1383, $c1384, $c1385];
-const $c1382 = new Map([["kind", $c1383], ["sheave_ratio", $c1384], ["after", $c1385]]);
-const $c562 = $made(tables$Table, $c881, [TakeUp, $c1381, $c1382]);
-const $c558 = $made(Entry, $c896, ["take_up", $c562, false, "", "", "take_up", ""]);
-const $c862 = ["CEMA", "DIN 22101", "own", "none"];
-const $c1396 = $made(Choice, $c918, [$c862]);
-const $c1391 = $made(Entry, $c896, ["name", $c1396, false, "", "", "name", ""]);
-const $c863 = ["dry", "wet", "wet and dirty"];
-const $c1397 = $made(Choice, $c918, [$c863]);
-const $c1392 = $made(Entry, $c896, ["condition", $c1397, false, "", "", "condition", ""]);
-const $c853 = $made(Limit, $c902, ["number", 0.01, 2.0, false, false]);
-const $c1398 = $made(Quantity, $c153, ["number", $c853]);
-const $c1393 = $made(Entry, $c896, ["friction", $c1398, false, "", "", "friction", ""]);
-const $c854 = $made(Limit, $c902, ["number", 1.0, 10.0, false, false]);
-const $c1399 = $made(Quantity, $c153, ["number", $c854]);
-const $c1394 = $made(Entry, $c896, ["start_factor", $c1399, false, "", "", "start_factor", ""]);
-const $c1400 = $made(Flag, [], []);
-const $c1395 = $made(Entry, $c896, ["binding", $c1400, false, "", "", "binding", ""]);
-const $c1389 = [$c1391, $c1392, $c1393, $c1394, $c1395];
-const $c1390 = new Map([["name", $c1391], ["condition", $c1392], ["friction", $c1393], ["start_factor", $c1394], ["binding", $c1395]]);
-const $c563 = $made(tables$Table, $c881, [DesignStandard, $c1389, $c1390]);
-const $c559 = $made(Entry, $c896, ["design_standard", $c563, false, "", "", "standard", ""]);
-const $c1407 = $made(Quantity, $c153, ["number", $c854]);
-const $c1403 = $made(Entry, $c896, ["running", $c1407, false, "", "", "running", ""]);
-const $c1408 = $made(Quantity, $c153, ["number", $c854]);
-const $c1404 = $made(Entry, $c896, ["starting", $c1408, false, "", "", "starting", ""]);
-const $c1409 = $made(Quantity, $c153, ["number", $c854]);
-const $c1405 = $made(Entry, $c896, ["braking", $c1409, false, "", "", "braking", ""]);
-const $c1410 = $made(Text, $c899, [500, false]);
-const $c1406 = $made(Entry, $c896, ["source", $c1410, false, "", "", "source", ""]);
-const $c1401 = [$c1403, $c1404, $c1405, $c1406];
-const $c1402 = new Map([["running", $c1403], ["starting", $c1404], ["braking", $c1405], ["source", $c1406]]);
-const $c564 = $made(tables$Table, $c881, [SafetyFactors, $c1401, $c1402]);
-const $c560 = $made(Entry, $c896, ["safety_factor", $c564, false, "", "", "safety", ""]);
-const $c1417 = $made(Limit, $c902, ["length", 0.0, 100.0, true, false]);
-const $c1416 = $made(Quantity, $c153, ["length", $c1417]);
-const $c1413 = $made(Entry, $c896, ["idler_spacing", $c1416, true, "", "idler_spacing = \"3 m\"", "spacing", ""]);
-const $c1419 = $made(Limit, $c902, ["mass_per_length", 0.0, 10000.0, true, false]);
-const $c1418 = $made(Quantity, $c153, ["mass_per_length", $c1419]);
-const $c1414 = $made(Entry, $c896, ["line_mass", $c1418, true, "", "line_mass = \"22 kg/m\"", "line_mass", ""]);
-const $c1421 = $made(Limit, $c902, ["number", 0.0, 0.1, true, false]);
-const $c1420 = $made(Quantity, $c153, ["number", $c1421]);
-const $c1415 = $made(Entry, $c896, ["share", $c1420, false, "", "", "share", ""]);
-const $c1411 = [$c1413, $c1414, $c1415];
-const $c1412 = new Map([["idler_spacing", $c1413], ["line_mass", $c1414], ["share", $c1415]]);
-const $c565 = $made(tables$Table, $c881, [Sag, $c1411, $c1412]);
-const $c561 = $made(Entry, $c896, ["sag", $c565, false, "", "", "sag", ""]);
-const $c1422 = $made(Elsewhere, [], []);
-const $c894 = $made(Entry, $c896, ["train", $c1422, false, "", "", "train", ""]);
-const $c1423 = $made(Elsewhere, [], []);
-const $c895 = $made(Entry, $c896, ["motion", $c1423, false, "", "", "motion", ""]);
-const $c882 = [$c884, $c885, $c886, $c887, $c888, $c889, $c890, $c891, $c892, $c893, $c558, $c559, $c560, $c561, $c894, $c895];
-const $c883 = new Map([["format", $c884], ["title", $c885], ["description", $c886], ["creep_limit", $c887], ["condition", $c888], ["belt", $c889], ["pulley", $c890], ["lagging", $c891], ["load_case", $c892], ["conveyor", $c893], ["take_up", $c558], ["design_standard", $c559], ["safety_factor", $c560], ["sag", $c561], ["train", $c894], ["motion", $c895]]);
-const $c0 = $made(tables$Table, $c881, [Drive, $c882, $c883]);
-const $c3 = ["name", "kind", "modulus", "rating", "least_pulley_diameter", "carcass"];
-const $c4 = new Map([["width", $c154], ["modulus", $c159], ["rating", $c161], ["strength", $c163], ["speed", $c165], ["momentary_factor", $c167], ["least_pulley_diameter", $c169], ["largest_wrap_pressure", $c171], ["in_plane_shear_stiffness", $c173], ["pulley_cover", $c175], ["carry_cover", $c177], ["carcass", $c179], ["thickness", $c181], ["cover_shear_modulus", $c184], ["mass", $c186]]);
-const $c6 = ["pulley_cover", "carry_cover", "carcass"];
-const $c7 = $made(_Nothing, [], []);
-const $c10 = ["x", "y", "diameter", "turn"];
-const $c258 = [10000, "m"];
-const $c257 = [$c258];
-const $c235 = ["mm", $c257];
-const $c236 = ["kN", []];
-const $c237 = ["kN/m", []];
-const $c260 = [10000, "MPa"];
-const $c259 = [$c260];
-const $c238 = ["kPa", $c259];
-const $c239 = ["kPa/mm", []];
-const $c240 = ["m/s", []];
-const $c241 = ["deg", []];
-const $c242 = ["kW", []];
-const $c243 = ["kN m", []];
-const $c244 = ["m2", []];
-const $c245 = ["s", []];
-const $c246 = ["degC", []];
-const $c247 = ["1/mm", []];
-const $c248 = ["mm3/J", []];
-const $c249 = ["J/m2", []];
-const $c262 = [10000, "kW/m2"];
-const $c261 = [$c262];
-const $c250 = ["W/m2", $c261];
-const $c251 = ["rpm", []];
-const $c252 = ["kg", []];
-const $c253 = ["kg/m", []];
-const $c254 = ["t/h", []];
-const $c255 = ["kg m2", []];
-const $c256 = ["", []];
-const $c233 = new Map([["length", $c235], ["force", $c236], ["force_per_width", $c237], ["spring_rate", $c237], ["pressure", $c238], ["pressure_per_length", $c239], ["speed", $c240], ["angle", $c241], ["power", $c242], ["torque", $c243], ["area", $c244], ["time", $c245], ["temperature", $c246], ["per_length", $c247], ["wear_coefficient", $c248], ["energy_per_area", $c249], ["power_per_area", $c250], ["rotation_speed", $c251], ["mass", $c252], ["mass_per_length", $c253], ["mass_flow", $c254], ["moment_of_inertia", $c255], ["number", $c256]]);
-const $c283 = [400, "ft"];
-const $c282 = [$c283];
-const $c263 = ["in", $c282];
-const $c264 = ["lbf", []];
-const $c265 = ["PIW", []];
-const $c266 = ["lbf/in", []];
-const $c285 = [10000, "ksi"];
-const $c284 = [$c285];
-const $c267 = ["psi", $c284];
-const $c268 = ["psi/in", []];
-const $c269 = ["fpm", []];
-const $c270 = ["hp", []];
-const $c271 = ["lbf ft", []];
-const $c272 = ["in2", []];
-const $c273 = ["degF", []];
-const $c274 = ["1/in", []];
-const $c275 = ["in3/(ft lbf)", []];
-const $c276 = ["ft lbf/ft2", []];
-const $c277 = ["hp/ft2", []];
-const $c278 = ["lbm", []];
-const $c279 = ["lbm/ft", []];
-const $c280 = ["lbm/h", []];
-const $c281 = ["lbm ft2", []];
-const $c234 = new Map([["length", $c263], ["force", $c264], ["force_per_width", $c265], ["spring_rate", $c266], ["pressure", $c267], ["pressure_per_length", $c268], ["speed", $c269], ["angle", $c241], ["power", $c270], ["torque", $c271], ["area", $c272], ["time", $c245], ["temperature", $c273], ["per_length", $c274], ["wear_coefficient", $c275], ["energy_per_area", $c276], ["power_per_area", $c277], ["rotation_speed", $c251], ["mass", $c278], ["mass_per_length", $c279], ["mass_flow", $c280], ["moment_of_inertia", $c281], ["number", $c256]]);
-const $c11 = new Map([["si", $c233], ["us", $c234]]);
-const $c286 = new DimensionText("m", "a length", "1200 mm");
-const $c287 = new DimensionText("N", "a force", "150 kN");
-const $c288 = new DimensionText("N/m", "a force per width", "12960 kN/m");
-const $c289 = new DimensionText("N/m", "a spring rate", "12000 kN/m");
-const $c290 = new DimensionText("Pa", "a pressure", "200 kPa");
-const $c291 = new DimensionText("Pa/m", "a pressure per length", "190 kPa/mm");
-const $c292 = new DimensionText("m/s", "a speed", "3 m/s");
-const $c293 = new DimensionText("rad", "an angle", "180 deg");
-const $c294 = new DimensionText("W", "a power", "250 kW");
-const $c295 = new DimensionText("N m", "a torque", "40 kN m");
-const $c296 = new DimensionText("m2", "an area", "2500 mm2");
-const $c297 = new DimensionText("s", "a time", "10 s");
-const $c298 = new DimensionText("K", "a temperature", "20 degC");
-const $c299 = new DimensionText("1/m", "a value per length", "-0.016 1/mm");
-const $c300 = new DimensionText("m3/J", "a wear volume per energy", "0.05 mm3/J");
-const $c301 = new DimensionText("J/m2", "an energy per area", "800 J/m2");
-const $c302 = new DimensionText("W/m2", "a power per area", "1500 W/m2");
-const $c303 = new DimensionText("rad/s", "a rotation speed", "71.6 rpm");
-const $c304 = new DimensionText("kg", "a mass", "500 kg");
-const $c305 = new DimensionText("kg/m", "a mass per length", "22 kg/m");
-const $c306 = new DimensionText("kg/s", "a mass flow", "1500 t/h");
-const $c307 = new DimensionText("kg m2", "a moment of inertia", "2200 kg m2");
-const $c308 = new DimensionText("", "a plain number", "0.35");
-const $c12 = new Map([["length", $c286], ["force", $c287], ["force_per_width", $c288], ["spring_rate", $c289], ["pressure", $c290], ["pressure_per_length", $c291], ["speed", $c292], ["angle", $c293], ["power", $c294], ["torque", $c295], ["area", $c296], ["time", $c297], ["temperature", $c298], ["per_length", $c299], ["wear_coefficient", $c300], ["energy_per_area", $c301], ["power_per_area", $c302], ["rotation_speed", $c303], ["mass", $c304], ["mass_per_length", $c305], ["mass_flow", $c306], ["moment_of_inertia", $c307], ["number", $c308]]);
-const $c13 = $re("[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]+)?", "");
-const $c14 = $re("[0-9.,'’_´`\\s+\\-−/:;]*(?:(?<=[0-9])[eE][+-]?[0-9]+)?", "");
-const $c15 = $re("[+-]?\\s*(?:nan|inf|infinity|∞)\\b", "i");
-const $c16 = $re("[eE][+-]?([0-9]+)$", "");
-const $c17 = $re("(?<=[0-9])[\\s'’_´`]+(?=[0-9])", "");
-const $c18 = $re("[,.]", "");
-const $c19 = $re("1\\s*/\\s*[A-Za-z(]", "");
-const $c20 = $re("[0-9.,'’_´`+\\-−:;]|/\\s*[0-9]", "");
-const $c21 = ["kg", "m", "s", "K", "rad"];
-const $c371 = ["meter", "meters", "metre", "metres"];
-const $c372 = $Decimal.of("1");
-const $c373 = $Decimal.of("0");
-const $c309 = new Definition($c371, $c372, "m", $c373);
-const $c374 = ["km"];
-const $c375 = $Decimal.of("1000");
-const $c376 = $Decimal.of("0");
-const $c310 = new Definition($c374, $c375, "m", $c376);
-const $c377 = ["dm"];
-const $c378 = $Decimal.of("0.1");
-const $c379 = $Decimal.of("0");
-const $c311 = new Definition($c377, $c378, "m", $c379);
-const $c380 = ["cm"];
-const $c381 = $Decimal.of("0.01");
-const $c382 = $Decimal.of("0");
-const $c312 = new Definition($c380, $c381, "m", $c382);
-const $c383 = ["mm"];
-const $c384 = $Decimal.of("0.001");
-const $c385 = $Decimal.of("0");
-const $c313 = new Definition($c383, $c384, "m", $c385);
-const $c386 = ["um", "micron", "microns"];
-const $c387 = $Decimal.of("0.000001");
-const $c388 = $Decimal.of("0");
-const $c314 = new Definition($c386, $c387, "m", $c388);
-const $c389 = ["in", "inch", "inches", "\""];
-const $c390 = $Decimal.of("0.0254");
-const $c391 = $Decimal.of("0");
-const $c315 = new Definition($c389, $c390, "m", $c391);
-const $c392 = ["ft", "foot", "feet"];
-const $c393 = $Decimal.of("12");
-const $c394 = $Decimal.of("0");
-const $c316 = new Definition($c392, $c393, "in", $c394);
-const $c395 = ["yd"];
-const $c396 = $Decimal.of("3");
-const $c397 = $Decimal.of("0");
-const $c317 = new Definition($c395, $c396, "ft", $c397);
-const $c398 = ["mi", "mile", "miles"];
-const $c399 = $Decimal.of("5280");
-const $c400 = $Decimal.of("0");
-const $c318 = new Definition($c398, $c399, "ft", $c400);
-const $c401 = ["thou"];
-const $c402 = $Decimal.of("0.001");
-const $c403 = $Decimal.of("0");
-const $c319 = new Definition($c401, $c402, "in", $c403);
-const $c404 = ["g"];
-const $c405 = $Decimal.of("0.001");
-const $c406 = $Decimal.of("0");
-const $c320 = new Definition($c404, $c405, "kg", $c406);
-const $c407 = ["t", "tonne", "tonnes"];
-const $c408 = $Decimal.of("1000");
-const $c409 = $Decimal.of("0");
-const $c321 = new Definition($c407, $c408, "kg", $c409);
-const $c410 = ["lbm"];
-const $c411 = $Decimal.of("0.45359237");
-const $c412 = $Decimal.of("0");
-const $c322 = new Definition($c410, $c411, "kg", $c412);
-const $c413 = ["sec", "second", "seconds"];
-const $c414 = $Decimal.of("1");
-const $c415 = $Decimal.of("0");
-const $c323 = new Definition($c413, $c414, "s", $c415);
-const $c416 = ["ms"];
-const $c417 = $Decimal.of("0.001");
-const $c418 = $Decimal.of("0");
-const $c324 = new Definition($c416, $c417, "s", $c418);
-const $c419 = ["min", "minute", "minutes"];
-const $c420 = $Decimal.of("60");
-const $c421 = $Decimal.of("0");
-const $c325 = new Definition($c419, $c420, "s", $c421);
-const $c422 = ["h", "hr", "hour", "hours"];
-const $c423 = $Decimal.of("60");
-const $c424 = $Decimal.of("0");
-const $c326 = new Definition($c422, $c423, "min", $c424);
-const $c425 = ["d", "day", "days"];
-const $c426 = $Decimal.of("24");
-const $c427 = $Decimal.of("0");
-const $c327 = new Definition($c425, $c426, "h", $c427);
-const $c428 = ["N", "newton", "newtons"];
-const $c429 = $Decimal.of("1");
-const $c430 = $Decimal.of("0");
-const $c328 = new Definition($c428, $c429, "kg m/s2", $c430);
-const $c431 = ["mN"];
-const $c432 = $Decimal.of("0.001");
-const $c433 = $Decimal.of("0");
-const $c329 = new Definition($c431, $c432, "N", $c433);
-const $c434 = ["daN"];
-const $c435 = $Decimal.of("10");
-const $c436 = $Decimal.of("0");
-const $c330 = new Definition($c434, $c435, "N", $c436);
-const $c437 = ["kN"];
-const $c438 = $Decimal.of("1000");
-const $c439 = $Decimal.of("0");
-const $c331 = new Definition($c437, $c438, "N", $c439);
-const $c440 = ["MN"];
-const $c441 = $Decimal.of("1E+6");
-const $c442 = $Decimal.of("0");
-const $c332 = new Definition($c440, $c441, "N", $c442);
-const $c443 = ["kgf", "kp"];
-const $c444 = $Decimal.of("9.80665");
-const $c445 = $Decimal.of("0");
-const $c333 = new Definition($c443, $c444, "N", $c445);
-const $c446 = ["gf"];
-const $c447 = $Decimal.of("0.001");
-const $c448 = $Decimal.of("0");
-const $c334 = new Definition($c446, $c447, "kgf", $c448);
-const $c449 = ["tf"];
-const $c450 = $Decimal.of("1000");
-const $c451 = $Decimal.of("0");
-const $c335 = new Definition($c449, $c450, "kgf", $c451);
-const $c452 = ["lbf", "lb", "lbs"];
-const $c453 = $Decimal.of("4.4482216152605");
-const $c454 = $Decimal.of("0");
-const $c336 = new Definition($c452, $c453, "N", $c454);
-const $c455 = ["klbf", "kip", "kips"];
-const $c456 = $Decimal.of("1000");
-const $c457 = $Decimal.of("0");
-const $c337 = new Definition($c455, $c456, "lbf", $c457);
-const $c458 = ["PIW", "piw", "PLI", "pli"];
-const $c459 = $Decimal.of("1");
-const $c460 = $Decimal.of("0");
-const $c338 = new Definition($c458, $c459, "lbf/in", $c460);
-const $c461 = ["Pa"];
-const $c462 = $Decimal.of("1");
-const $c463 = $Decimal.of("0");
-const $c339 = new Definition($c461, $c462, "N/m2", $c463);
-const $c464 = ["hPa"];
-const $c465 = $Decimal.of("100");
-const $c466 = $Decimal.of("0");
-const $c340 = new Definition($c464, $c465, "Pa", $c466);
-const $c467 = ["kPa"];
-const $c468 = $Decimal.of("1000");
-const $c469 = $Decimal.of("0");
-const $c341 = new Definition($c467, $c468, "Pa", $c469);
-const $c470 = ["MPa"];
-const $c471 = $Decimal.of("1E+6");
-const $c472 = $Decimal.of("0");
-const $c342 = new Definition($c470, $c471, "Pa", $c472);
-const $c473 = ["GPa"];
-const $c474 = $Decimal.of("1E+9");
-const $c475 = $Decimal.of("0");
-const $c343 = new Definition($c473, $c474, "Pa", $c475);
-const $c476 = ["bar"];
-const $c477 = $Decimal.of("1E+5");
-const $c478 = $Decimal.of("0");
-const $c344 = new Definition($c476, $c477, "Pa", $c478);
-const $c479 = ["mbar"];
-const $c480 = $Decimal.of("100");
-const $c481 = $Decimal.of("0");
-const $c345 = new Definition($c479, $c480, "Pa", $c481);
-const $c482 = ["psi", "PSI"];
-const $c483 = $Decimal.of("1");
-const $c484 = $Decimal.of("0");
-const $c346 = new Definition($c482, $c483, "lbf/in2", $c484);
-const $c485 = ["ksi"];
-const $c486 = $Decimal.of("1000");
-const $c487 = $Decimal.of("0");
-const $c347 = new Definition($c485, $c486, "psi", $c487);
-const $c488 = ["J", "joule"];
-const $c489 = $Decimal.of("1");
-const $c490 = $Decimal.of("0");
-const $c348 = new Definition($c488, $c489, "N m", $c490);
-const $c491 = ["mJ"];
-const $c492 = $Decimal.of("0.001");
-const $c493 = $Decimal.of("0");
-const $c349 = new Definition($c491, $c492, "J", $c493);
-const $c494 = ["kJ"];
-const $c495 = $Decimal.of("1000");
-const $c496 = $Decimal.of("0");
-const $c350 = new Definition($c494, $c495, "J", $c496);
-const $c497 = ["MJ"];
-const $c498 = $Decimal.of("1E+6");
-const $c499 = $Decimal.of("0");
-const $c351 = new Definition($c497, $c498, "J", $c499);
-const $c500 = ["Nm"];
-const $c501 = $Decimal.of("1");
-const $c502 = $Decimal.of("0");
-const $c352 = new Definition($c500, $c501, "N m", $c502);
-const $c503 = ["kNm"];
-const $c504 = $Decimal.of("1000");
-const $c505 = $Decimal.of("0");
-const $c353 = new Definition($c503, $c504, "N m", $c505);
-const $c506 = ["MNm"];
-const $c507 = $Decimal.of("1E+6");
-const $c508 = $Decimal.of("0");
-const $c354 = new Definition($c506, $c507, "N m", $c508);
-const $c509 = ["W", "watt", "watts"];
-const $c510 = $Decimal.of("1");
-const $c511 = $Decimal.of("0");
-const $c355 = new Definition($c509, $c510, "J/s", $c511);
-const $c512 = ["kW"];
-const $c513 = $Decimal.of("1000");
-const $c514 = $Decimal.of("0");
-const $c356 = new Definition($c512, $c513, "W", $c514);
-const $c515 = ["MW"];
-const $c516 = $Decimal.of("1E+6");
-const $c517 = $Decimal.of("0");
-const $c357 = new Definition($c515, $c516, "W", $c517);
-const $c518 = ["hp", "HP", "bhp", "BHP"];
-const $c519 = $Decimal.of("550");
-const $c520 = $Decimal.of("0");
-const $c358 = new Definition($c518, $c519, "ft lbf/s", $c520);
-const $c521 = ["PS", "cv", "CV", "hp(metric)"];
-const $c522 = $Decimal.of("75");
-const $c523 = $Decimal.of("0");
-const $c359 = new Definition($c521, $c522, "kgf m/s", $c523);
-const $c524 = ["fpm", "FPM"];
-const $c525 = $Decimal.of("1");
-const $c526 = $Decimal.of("0");
-const $c360 = new Definition($c524, $c525, "ft/min", $c526);
-const $c527 = ["fps"];
-const $c528 = $Decimal.of("1");
-const $c529 = $Decimal.of("0");
-const $c361 = new Definition($c527, $c528, "ft/s", $c529);
-const $c530 = ["kph", "kmh"];
-const $c531 = $Decimal.of("1");
-const $c532 = $Decimal.of("0");
-const $c362 = new Definition($c530, $c531, "km/h", $c532);
-const $c533 = ["mph"];
-const $c534 = $Decimal.of("1");
-const $c535 = $Decimal.of("0");
-const $c363 = new Definition($c533, $c534, "mi/h", $c535);
-const $c536 = ["mrad"];
-const $c537 = $Decimal.of("0.001");
-const $c538 = $Decimal.of("0");
-const $c364 = new Definition($c536, $c537, "rad", $c538);
-const $c539 = ["deg", "degree", "degrees", "°"];
-const $c540 = $Decimal.of("0.01745329251994329576923690768");
-const $c541 = $Decimal.of("0");
-const $c365 = new Definition($c539, $c540, "rad", $c541);
-const $c542 = ["rev", "turn", "turns"];
-const $c543 = $Decimal.of("360");
-const $c544 = $Decimal.of("0");
-const $c366 = new Definition($c542, $c543, "deg", $c544);
-const $c545 = ["rpm", "RPM"];
-const $c546 = $Decimal.of("1");
-const $c547 = $Decimal.of("0");
-const $c367 = new Definition($c545, $c546, "rev/min", $c547);
-const $c548 = ["degC", "°C"];
-const $c549 = $Decimal.of("1");
-const $c550 = $Decimal.of("-273.15");
-const $c368 = new Definition($c548, $c549, "K", $c550);
-const $c551 = ["degF", "°F"];
-const $c552 = $Decimal.of("0.5555555555555555555555555556");
-const $c553 = $Decimal.of("-459.67");
-const $c369 = new Definition($c551, $c552, "K", $c553);
-const $c554 = ["%", "percent"];
-const $c555 = $Decimal.of("0.01");
-const $c556 = $Decimal.of("0");
-const $c370 = new Definition($c554, $c555, "", $c556);
-const $c22 = [$c309, $c310, $c311, $c312, $c313, $c314, $c315, $c316, $c317, $c318, $c319, $c320, $c321, $c322, $c323, $c324, $c325, $c326, $c327, $c328, $c329, $c330, $c331, $c332, $c333, $c334, $c335, $c336, $c337, $c338, $c339, $c340, $c341, $c342, $c343, $c344, $c345, $c346, $c347, $c348, $c349, $c350, $c351, $c352, $c353, $c354, $c355, $c356, $c357, $c358, $c359, $c360, $c361, $c362, $c363, $c364, $c365, $c366, $c367, $c368, $c369, $c370];
-const $c23 = new Map([[181, "u"], [956, "u"], [8243, "\""], [8221, "\""], [186, "°"], [183, "*"], [8901, "*"], [215, "*"], [178, "2"], [179, "3"], [8315, "-"], [185, "1"], [160, " "], [8239, " "]]);
-const $c24 = $re("(?<over>1|[A-Za-z°%\"]+(?:\\^?-?[1-9])?(?:(?:\\s*[*.]\\s*|\\s+|-(?=[A-Za-z]))[A-Za-z°%\"]+(?:\\^?-?[1-9])?)*)?\\s*(?:/\\s*(?:(?<one>[A-Za-z°%\"]+(?:\\^?-?[1-9])?)|\\(\\s*(?<under>[A-Za-z°%\"]+(?:\\^?-?[1-9])?(?:(?:\\s*[*.]\\s*|\\s+|-(?=[A-Za-z]))[A-Za-z°%\"]+(?:\\^?-?[1-9])?)*)\\s*\\)))?", "");
-const $c25 = $re("([A-Za-z°%\"]+)(?:\\^?(-?[1-9]))?", "");
-const $c26 = ["length", "force", "force_per_width", "spring_rate", "pressure", "pressure_per_length", "speed", "angle", "power", "torque", "area", "time", "temperature", "per_length", "wear_coefficient", "energy_per_area", "power_per_area", "rotation_speed", "mass", "mass_per_length", "mass_flow", "moment_of_inertia", "number"];
-const $c557 = ["kind", "source", "date", "note"];
-const $c27 = $made(Provenance, $c557, ["given", "", "", "from the coordinates of the pulleys"]);
-const $c32 = [$c558, $c559, $c560, $c561];
-const $c33 = ["entry_tension", "exit_tension", "effective_tension", "torque", "power"];
-const $c34 = new Map([["entry", "entry_tension"], ["exit", "exit_tension"]]);
-const $c566 = ["material_mass", "capacity", "material_mass = \"120 kg/m\""];
-const $c567 = ["take_up_tension", "counterweight", "take_up_tension = \"40 kN\""];
-const $c568 = ["length_coefficient", "secondary_resistance", ""];
-const $c569 = ["start_factor", "start_time", ""];
-const $c36 = [$c566, $c567, $c568, $c569];
-const $c37 = ["capacity", "start_time", "stop_time"];
-const $c1443 = $made(Quantity, $c153, ["force", $c219]);
-const $c1436 = $made(Entry, $c896, ["entry_tension", $c1443, false, "", "", "entry_tension", ""]);
-const $c1437 = $made(Entry, $c896, ["exit_tension", $c1443, false, "", "", "exit_tension", ""]);
-const $c1444 = $made(Quantity, $c153, ["force", null]);
-const $c1438 = $made(Entry, $c896, ["effective_tension", $c1444, false, "", "", "effective_tension", ""]);
-const $c1445 = $made(Quantity, $c153, ["power", null]);
-const $c1439 = $made(Entry, $c896, ["power", $c1445, false, "", "", "power", ""]);
-const $c1447 = $made(Quantity, $c153, ["force", null]);
-const $c1446 = $made(ByName, $c904, [$c1447, 200]);
-const $c1440 = $made(Entry, $c896, ["run", $c1446, false, "", "", "run", ""]);
-const $c1600 = ["first", "second", "words"];
-const $c1603 = $made(Limit, $c902, ["number", -100.0, 100.0, false, false]);
-const $c1601 = $made(Quantity, $c153, ["number", $c1603]);
-const $c1602 = $made(Quantity, $c153, ["power", null]);
-const $c1449 = $made(Either, $c1600, [$c1601, $c1602, "a share like 0.5 or \"50 %\", or a power like \"300 kW\""]);
-const $c1448 = $made(Rows, $c934, [$c1449, 1, 10]);
-const $c1441 = $made(Entry, $c896, ["share", $c1448, false, "", "", "share", ""]);
-const $c1451 = $made(SpeedList, [], []);
-const $c1442 = $made(Entry, $c896, ["speeds", $c1451, false, "", "", "speeds", ""]);
-const $c1434 = [$c1436, $c1437, $c1438, $c1439, $c1440, $c1441, $c1442];
-const $c1435 = new Map([["entry_tension", $c1436], ["exit_tension", $c1437], ["effective_tension", $c1438], ["power", $c1439], ["run", $c1440], ["share", $c1441], ["speeds", $c1442]]);
-const $c1433 = $made(tables$Table, $c881, [null, $c1434, $c1435]);
-const $c1432 = $made(Entry, $c896, ["train", $c1433, false, "", "", "train", ""]);
-const $c1430 = [$c1327, $c1328, $c1329, $c1330, $c1331, $c1432];
-const $c1431 = new Map([["name", $c1327], ["description", $c1328], ["kind", $c1329], ["condition", $c1330], ["pulley", $c1331], ["train", $c1432]]);
-const $c1429 = $made(tables$Table, $c881, [null, $c1430, $c1431]);
-const $c1428 = $made(Rows, $c934, [$c1429, 1, 1000]);
-const $c1426 = $made(Entry, $c896, ["load_case", $c1428, false, "", "", "load_case", ""]);
-const $c1458 = $made(Quantity, $c153, ["length", $c209]);
-const $c1457 = $made(Rows, $c934, [$c1458, 1, 10]);
-const $c1455 = $made(Entry, $c896, ["diameters", $c1457, false, "", "", "diameters", ""]);
-const $c1474 = ["converter"];
-const $c1473 = $made(Choice, $c918, [$c1474]);
-const $c1462 = $made(Entry, $c896, ["kind", $c1473, true, "", "", "kind", ""]);
-const $c834 = $made(Limit, $c902, ["power", 0.0, 1000000000.0, true, false]);
-const $c1475 = $made(Quantity, $c153, ["power", $c834]);
-const $c1463 = $made(Entry, $c896, ["rated_power", $c1475, true, "", "", "rated_power", ""]);
-const $c835 = $made(Limit, $c902, ["rotation_speed", 0.0, 100000.0, true, false]);
-const $c1476 = $made(Quantity, $c153, ["rotation_speed", $c835]);
-const $c1464 = $made(Entry, $c896, ["rated_speed", $c1476, true, "", "", "rated_speed", ""]);
-const $c836 = $made(Limit, $c902, ["number", 0.0, 10000.0, true, false]);
-const $c1477 = $made(Quantity, $c153, ["number", $c836]);
-const $c1465 = $made(Entry, $c896, ["gear_ratio", $c1477, false, "", "", "gear_ratio", ""]);
-const $c837 = $made(Limit, $c902, ["number", 0.05, 1.0, false, false]);
-const $c1478 = $made(Quantity, $c153, ["number", $c837]);
-const $c1466 = $made(Entry, $c896, ["gear_efficiency", $c1478, false, "", "", "gear_efficiency", ""]);
-const $c838 = $made(Limit, $c902, ["number", 0.05, 1.0, false, false]);
-const $c1479 = $made(Quantity, $c153, ["number", $c838]);
-const $c1467 = $made(Entry, $c896, ["motor_efficiency", $c1479, false, "", "", "motor_efficiency", ""]);
-const $c1480 = $made(Count, $c1321, [1, 8]);
-const $c1468 = $made(Entry, $c896, ["count", $c1480, false, "", "", "count", ""]);
-const $c1481 = $made(Flag, [], []);
-const $c1469 = $made(Entry, $c896, ["brakes", $c1481, false, "", "", "brakes", ""]);
-const $c840 = $made(Limit, $c902, ["number", 0.01, 3.0, false, false]);
-const $c1482 = $made(Quantity, $c153, ["number", $c840]);
-const $c1470 = $made(Entry, $c896, ["setting", $c1482, false, "", "", "setting", ""]);
-const $c841 = $made(Limit, $c902, ["number", 0.0, 0.5, false, false]);
-const $c1483 = $made(Quantity, $c153, ["number", $c841]);
-const $c1471 = $made(Entry, $c896, ["droop", $c1483, false, "", "", "droop", ""]);
-const $c842 = $made(Limit, $c902, ["number", 0.0, Infinity, true, true]);
-const $c1485 = $made(Quantity, $c153, ["number", $c842]);
-const $c1484 = $made(WordOr, $c932, ["rigid", $c1485, Infinity]);
-const $c1472 = $made(Entry, $c896, ["torque_limit", $c1484, false, "", "", "torque_limit", ""]);
-const $c1460 = [$c1462, $c1463, $c1464, $c1465, $c1466, $c1467, $c1468, $c1469, $c1470, $c1471, $c1472];
-const $c1461 = new Map([["kind", $c1462], ["rated_power", $c1463], ["rated_speed", $c1464], ["gear_ratio", $c1465], ["gear_efficiency", $c1466], ["motor_efficiency", $c1467], ["count", $c1468], ["brakes", $c1469], ["setting", $c1470], ["droop", $c1471], ["torque_limit", $c1472]]);
-const $c821 = $made(tables$Table, $c881, [VariableSpeed, $c1460, $c1461]);
-const $c1498 = ["induction"];
-const $c1497 = $made(Choice, $c918, [$c1498]);
-const $c1488 = $made(Entry, $c896, ["kind", $c1497, true, "", "", "kind", ""]);
-const $c1499 = $made(Quantity, $c153, ["power", $c834]);
-const $c1489 = $made(Entry, $c896, ["rated_power", $c1499, true, "", "", "rated_power", ""]);
-const $c1500 = $made(Quantity, $c153, ["rotation_speed", $c835]);
-const $c1490 = $made(Entry, $c896, ["rated_speed", $c1500, true, "", "", "rated_speed", ""]);
-const $c1501 = $made(Quantity, $c153, ["number", $c836]);
-const $c1491 = $made(Entry, $c896, ["gear_ratio", $c1501, false, "", "", "gear_ratio", ""]);
-const $c1502 = $made(Quantity, $c153, ["number", $c837]);
-const $c1492 = $made(Entry, $c896, ["gear_efficiency", $c1502, false, "", "", "gear_efficiency", ""]);
-const $c1503 = $made(Quantity, $c153, ["number", $c838]);
-const $c1493 = $made(Entry, $c896, ["motor_efficiency", $c1503, false, "", "", "motor_efficiency", ""]);
-const $c1504 = $made(Flag, [], []);
-const $c1494 = $made(Entry, $c896, ["brakes", $c1504, false, "", "", "brakes", ""]);
-const $c1506 = $made(Limit, $c902, ["rotation_speed", 0.0, 100000.0, true, false]);
-const $c1505 = $made(Quantity, $c153, ["rotation_speed", $c1506]);
-const $c1495 = $made(Entry, $c896, ["synchronous_speed", $c1505, true, "", "", "synchronous_speed", ""]);
-const $c1508 = $made(Limit, $c902, ["number", 1.1, 10.0, false, false]);
-const $c1507 = $made(Quantity, $c153, ["number", $c1508]);
-const $c1496 = $made(Entry, $c896, ["breakdown_ratio", $c1507, false, "", "", "breakdown_ratio", ""]);
-const $c1486 = [$c1488, $c1489, $c1490, $c1491, $c1492, $c1493, $c1468, $c1494, $c1495, $c1496];
-const $c1487 = new Map([["kind", $c1488], ["rated_power", $c1489], ["rated_speed", $c1490], ["gear_ratio", $c1491], ["gear_efficiency", $c1492], ["motor_efficiency", $c1493], ["count", $c1468], ["brakes", $c1494], ["synchronous_speed", $c1495], ["breakdown_ratio", $c1496]]);
-const $c822 = $made(tables$Table, $c881, [Induction, $c1486, $c1487]);
-const $c1523 = ["fluid-coupling"];
-const $c1522 = $made(Choice, $c918, [$c1523]);
-const $c1511 = $made(Entry, $c896, ["kind", $c1522, true, "", "", "kind", ""]);
-const $c1524 = $made(Quantity, $c153, ["power", $c834]);
-const $c1512 = $made(Entry, $c896, ["rated_power", $c1524, true, "", "", "rated_power", ""]);
-const $c1525 = $made(Quantity, $c153, ["rotation_speed", $c835]);
-const $c1513 = $made(Entry, $c896, ["rated_speed", $c1525, true, "", "", "rated_speed", ""]);
-const $c1526 = $made(Quantity, $c153, ["number", $c836]);
-const $c1514 = $made(Entry, $c896, ["gear_ratio", $c1526, false, "", "", "gear_ratio", ""]);
-const $c1527 = $made(Quantity, $c153, ["number", $c837]);
-const $c1515 = $made(Entry, $c896, ["gear_efficiency", $c1527, false, "", "", "gear_efficiency", ""]);
-const $c1528 = $made(Quantity, $c153, ["number", $c838]);
-const $c1516 = $made(Entry, $c896, ["motor_efficiency", $c1528, false, "", "", "motor_efficiency", ""]);
-const $c1529 = $made(Flag, [], []);
-const $c1517 = $made(Entry, $c896, ["brakes", $c1529, false, "", "", "brakes", ""]);
-const $c1530 = $made(Quantity, $c153, ["rotation_speed", $c1506]);
-const $c1518 = $made(Entry, $c896, ["synchronous_speed", $c1530, true, "", "", "synchronous_speed", ""]);
-const $c1531 = $made(Quantity, $c153, ["number", $c1508]);
-const $c1519 = $made(Entry, $c896, ["breakdown_ratio", $c1531, false, "", "", "breakdown_ratio", ""]);
-const $c1534 = $made(Limit, $c902, ["number", 0.0, 10.0, false, false]);
-const $c1533 = $made(Quantity, $c153, ["number", $c1534]);
-const $c1532 = $made(Rows, $c934, [$c1533, 2, 200]);
-const $c1520 = $made(Entry, $c896, ["coupling_load", $c1532, true, "", "", "coupling_load", ""]);
-const $c1521 = $made(Entry, $c896, ["coupling_slip", $c1532, true, "", "", "coupling_slip", ""]);
-const $c1509 = [$c1511, $c1512, $c1513, $c1514, $c1515, $c1516, $c1468, $c1517, $c1518, $c1519, $c1520, $c1521];
-const $c1510 = new Map([["kind", $c1511], ["rated_power", $c1512], ["rated_speed", $c1513], ["gear_ratio", $c1514], ["gear_efficiency", $c1515], ["motor_efficiency", $c1516], ["count", $c1468], ["brakes", $c1517], ["synchronous_speed", $c1518], ["breakdown_ratio", $c1519], ["coupling_load", $c1520], ["coupling_slip", $c1521]]);
-const $c823 = $made(tables$Table, $c881, [FluidCoupling, $c1509, $c1510]);
-const $c1541 = ["follower"];
-const $c1540 = $made(Choice, $c918, [$c1541]);
-const $c1537 = $made(Entry, $c896, ["kind", $c1540, true, "", "", "kind", ""]);
-const $c1542 = $made(Name, $c906, [60]);
-const $c1538 = $made(Entry, $c896, ["master", $c1542, true, "", "", "master", ""]);
-const $c851 = $made(Limit, $c902, ["number", -10.0, 10.0, false, false]);
-const $c1543 = $made(Quantity, $c153, ["number", $c851]);
-const $c1539 = $made(Entry, $c896, ["ratio", $c1543, false, "", "", "ratio", ""]);
-const $c1535 = [$c1537, $c1538, $c1539];
-const $c1536 = new Map([["kind", $c1537], ["master", $c1538], ["ratio", $c1539]]);
-const $c824 = $made(tables$Table, $c881, [TorqueFollower, $c1535, $c1536]);
-const $c106 = new Map([["converter", $c821], ["induction", $c822], ["fluid-coupling", $c823], ["follower", $c824]]);
-const $c107 = $made(Variant, $c1036, ["kind", $c106]);
-const $c1459 = $made(ByName, $c904, [$c107, 200]);
-const $c1456 = $made(Entry, $c896, ["motor", $c1459, false, "", "", "motor", ""]);
-const $c1453 = [$c1436, $c1437, $c1438, $c1439, $c1440, $c1441, $c1442, $c1455, $c1456];
-const $c1454 = new Map([["entry_tension", $c1436], ["exit_tension", $c1437], ["effective_tension", $c1438], ["power", $c1439], ["run", $c1440], ["share", $c1441], ["speeds", $c1442], ["diameters", $c1455], ["motor", $c1456]]);
-const $c1452 = $made(tables$Table, $c881, [null, $c1453, $c1454]);
-const $c1427 = $made(Entry, $c896, ["train", $c1452, false, "", "", "train", ""]);
-const $c1424 = [$c884, $c885, $c886, $c887, $c888, $c889, $c890, $c891, $c1426, $c893, $c558, $c559, $c560, $c561, $c1427, $c895];
-const $c1425 = new Map([["format", $c884], ["title", $c885], ["description", $c886], ["creep_limit", $c887], ["condition", $c888], ["belt", $c889], ["pulley", $c890], ["lagging", $c891], ["load_case", $c1426], ["conveyor", $c893], ["take_up", $c558], ["design_standard", $c559], ["safety_factor", $c560], ["sag", $c561], ["train", $c1427], ["motion", $c895]]);
-const $c38 = $made(tables$Table, $c881, [Drive, $c1424, $c1425]);
-const $c39 = $re("[A-Za-z0-9_-]{1,60}", "");
-const $c40 = new Map([["The pulley carries its load.", true], ["Breakaway: no creep makes enough friction for this tension ratio. Raise the slack-side tension (take-up), enlarge the wrap angle, or choose a lagging with more friction.", false], ["The solver did not reach its accuracy on this arc. Please report the drive file; until then change a value slightly.", false], ["The drives carry the load.", true], ["Breakaway: a drive cannot hold its part of the load. Raise the slack-side tension (take-up), bring the speeds closer together, or choose a lagging with more friction.", false], ["No operating point: a motor would have to work beyond its curve. Change its set speed or gear, or choose another motor.", false], ["The solver did not reach its accuracy on this train. Please report the drive file; until then change a value slightly.", false]]);
-const $c41 = new Map([["illustrative", "illustrative: it describes no real product"], ["calibrated", "calibrated: it was fitted to a known result"]]);
-const $c42 = ["illustrative", "calibrated", "estimated"];
-const $c43 = new WeakMap();
-const $c1544 = ["name", "what", "missed", "fails_beyond", "tolerates", "at_most", "dimension", "tension", "binding", "firm", "value", "allowed", "limit", "rounded", "of_solution", "words", "asked"];
-const $c44 = $made(Rule, $c1544, ["train_balance", "the balance of the train", "FAULT OF THE PROGRAM", NaN, NaN, true, "number", "", false, null, null, null, null, null, false, null, null]);
-const $c45 = new Map([[false, "Motor torque over rated torque, running"], [true, "Motor torque over rated torque, momentary"]]);
-const $c46 = $made(Rule, $c1544, ["momentary_load", "the torque that a motor bears in a start", "ATTENTION", NaN, NaN, true, "number", "", true, null, of_train___motor_torque, null, null, null, false, null, null]);
-const $c47 = $made(Rule, $c1544, ["motor_load", "the rating of a motor", "ATTENTION", 1.15, NaN, true, "number", "", true, null, of_train___motor_torque, null, null, null, false, null, null]);
-const $c48 = ["Speed"];
-const $c49 = ["Motor"];
-const $c50 = $made(Rule, $c1544, ["gross_slip", "the safety against gross slip", "ATTENTION", 1.0, NaN, false, "number", "raise", true, null, null, null, null, null, false, null, null]);
-const $c571 = ["by creep", "The belt slides (creep of {slides})"];
-const $c572 = ["by tested slip", "The slip leaves the tests of lagging ⟦lagging⟧"];
-const $c573 = ["by the largest friction", "All friction of the wrap is used up"];
-const $c51 = new Map([[0, $c571], [1, $c572], [2, $c573]]);
-const $c574 = $made(Rule, $c1544, ["design_standard", "the design standard", "ATTENTION", NaN, NaN, false, "force", "raise", true, of_arc___binds, null, null, null, null, false, null, of_arc___standard]);
-const $c575 = $made(Rule, $c1544, ["creep", "the creep limit", "ATTENTION", 0.0635, 0.0127, true, "length", "raise", true, null, of_arc___creep, null, of_arc___creep_limit, null, true, of_arc___creeps, null]);
-const $c576 = $made(Rule, $c1544, ["cover_creep", "the creep limit, with the cover of the belt in series", "ATTENTION", NaN, NaN, true, "length", "raise", false, null, null, null, null, null, true, null, of_arc___cover_creep]);
-const $c577 = $made(Rule, $c1544, ["creep_interval", "the creep limit, at the end of the interval of the law", "ATTENTION", NaN, NaN, true, "length", "raise", false, null, null, null, null, null, true, null, in_page_checks__creep_interval]);
-const $c578 = $made(Rule, $c1544, ["belt_tension", "the rating of the belt", "FAILS", NaN, NaN, true, "force", "lower", true, null, of_drive___tight, of_drive___running_tension, of_drive___over_width, null, false, of_drive___running, null]);
-const $c579 = $made(Rule, $c1544, ["momentary_tension", "the momentary rating of the belt", "FAILS", NaN, NaN, true, "force", "lower", true, null, of_drive___tight, of_drive___momentary_tension, of_drive___over_width, null, false, of_drive___momentary, null]);
-const $c580 = $made(Rule, $c1544, ["belt_safety", "the safety factor of the belt", "ATTENTION", 3.0, NaN, false, "number", "lower", true, of_drive___rated, of_drive___belt_safety, of_drive___asked_safety, null, of_drive___rounded_safety, false, of_drive___safety, null]);
-const $c581 = $made(Rule, $c1544, ["face_pressure", "the pressure on the pulley face", "ATTENTION", NaN, NaN, true, "pressure", "lower", true, null, of_drive___tight_pressure, of_drive___face_pressure, null, null, false, of_drive___on_face, null]);
-const $c582 = $made(Rule, $c1544, ["bond_stress", "the bond strength of the lagging", "ATTENTION", NaN, NaN, true, "pressure", "", true, null, of_arc___shear, of_arc___bond_strength, null, null, true, of_arc___bond, null]);
-const $c583 = $made(Rule, $c1544, ["fatigue_stress", "the fatigue limit of the lagging", "ATTENTION", NaN, NaN, true, "pressure", "", true, null, of_arc___shear, of_arc___fatigue_limit, null, null, true, of_arc___tires, null]);
-const $c584 = $made(Rule, $c1544, ["tested_pressure_max", "the largest wrap pressure tested", "ATTENTION", NaN, NaN, true, "pressure", "lower", true, null, of_drive___tight_pressure, of_drive___pressure_max, null, null, false, of_drive___tested_max, null]);
-const $c585 = $made(Rule, $c1544, ["tested_pressure_min", "the least wrap pressure tested", "ATTENTION", NaN, NaN, false, "pressure", "raise", true, null, of_drive___slack_pressure, of_drive___pressure_min, null, null, false, of_drive___tested_min, null]);
-const $c586 = $made(Rule, $c1544, ["condition", "friction that was not tested in the condition", "ATTENTION", NaN, NaN, true, "number", "", false, null, null, null, null, null, false, null, of_data___condition]);
-const $c587 = $made(Rule, $c1544, ["fit", "friction that does not fit its tests", "ATTENTION", NaN, NaN, true, "number", "", false, null, null, null, null, null, false, null, of_data___fit]);
-const $c588 = $made(Rule, $c1544, ["tested_slip", "the largest slip tested", "ATTENTION", NaN, NaN, true, "length", "raise", true, null, of_arc___slip, of_arc___slip_max, null, null, true, of_arc___slips, null]);
-const $c589 = $made(Rule, $c1544, ["tested_slip_speed", "the slip speed tested", "ATTENTION", NaN, NaN, true, "speed", "", false, null, of_arc___slip_speed, of_arc___tested_speed, null, null, true, of_arc___slips_fast, null]);
-const $c590 = $made(Rule, $c1544, ["balance", "the energy balance", "FAULT OF THE PROGRAM", NaN, NaN, true, "number", "", false, null, null, null, null, null, false, null, of_arc___balance]);
-const $c591 = $made(Rule, $c1544, ["sag", "the sag of the belt", "ATTENTION", NaN, NaN, false, "force", "raise", true, null, of_drive___slack_end, of_drive___sag_tension, null, null, false, of_drive___sags, null]);
-const $c52 = [$c574, $c575, $c576, $c577, $c578, $c579, $c580, $c581, $c582, $c583, $c584, $c585, $c586, $c587, $c588, $c589, $c590, $c591];
-const $c53 = $made(Rule, $c1544, ["pulley_diameter", "the least pulley of the belt", "FAILS", NaN, NaN, false, "length", "", true, null, of_drive___diameter, of_drive___least_diameter, null, null, false, of_drive___bends, null]);
-const $c54 = ["Transition", "GrippingPulley"];
-const $c609 = [1.0, 2.0];
-const $c610 = [5000.0, 5000000.0];
-const $c611 = [0.0004, 0.025];
-const $c612 = [0.0004, 0.035];
-const $c613 = [0.0004, 0.03];
-const $c614 = [0.0015, 0.06];
-const $c615 = [300000.0, 5000000.0];
-const $c594 = new Map([["momentary_factor", $c609], ["in_plane_shear_stiffness", $c610], ["pulley_cover", $c611], ["carry_cover", $c612], ["carcass", $c613], ["thickness", $c614], ["cover_shear_modulus", $c615]]);
-const $c616 = [0.2, 8.0];
-const $c595 = new Map([["sheave_ratio", $c616]]);
-const $c617 = [0.1, 0.9];
-const $c618 = [1.0, 2.5];
-const $c596 = new Map([["friction", $c617], ["start_factor", $c618]]);
-const $c619 = [1.05, 6.0];
-const $c620 = [1.0, 4.0];
-const $c597 = new Map([["running", $c619], ["starting", $c620], ["braking", $c620]]);
-const $c621 = [0.3, 8.0];
-const $c622 = [1.0, 3000.0];
-const $c623 = [0.002, 0.05];
-const $c598 = new Map([["spacing", $c621], ["line_mass", $c622], ["share", $c623]]);
-const $c624 = [1.0, 9.5];
-const $c625 = [1.05, 2.5];
-const $c599 = new Map([["length_coefficient", $c624], ["start_factor", $c625]]);
-const $c626 = [300000.0, 100000000.0];
-const $c627 = [1e-13, 1e-10];
-const $c628 = [0.01, 1.0];
-const $c600 = new Map([["elastic_modulus", $c626], ["wear_coefficient", $c627], ["belt_energy_share", $c628]]);
-const $c629 = [0.002, 0.5];
-const $c630 = [0.0005, 0.06];
-const $c631 = [0.1, 4.0];
-const $c632 = [0.15, 1.0];
-const $c601 = new Map([["width", $c629], ["height", $c630], ["stiffening", $c631], ["contact_fraction", $c632]]);
-const $c633 = [0.05, 200.0];
-const $c602 = new Map([["area", $c633]]);
-const $c634 = [0.05, 1.3];
-const $c603 = new Map([["factor", $c634]]);
-const $c635 = [0.3, 500.0];
-const $c604 = new Map([["distance", $c635]]);
-const $c636 = [0.2, 20.0];
-const $c637 = [0.08726646259971647, 1.2217304763960306];
-const $c638 = [0.05, 2.0];
-const $c605 = new Map([["length", $c636], ["trough_angle", $c637], ["centre_roll", $c638]]);
-const $c639 = [-0.01, 0.01];
-const $c640 = [-0.005, 0.005];
-const $c606 = new Map([["misalignment", $c639], ["deflection", $c640]]);
-const $c641 = [1.0, 250.0];
-const $c642 = [0.6, 1.0];
-const $c643 = [0.5, 1.0];
-const $c644 = [0.001, 0.15];
-const $c645 = [0.8, 4.0];
-const $c646 = [1.5, 5.0];
-const $c607 = new Map([["gear_ratio", $c641], ["gear_efficiency", $c642], ["motor_efficiency", $c643], ["droop", $c644], ["torque_limit", $c645], ["breakdown_ratio", $c646]]);
-const $c647 = [0.1, 5.0];
-const $c608 = new Map([["ratio", $c647]]);
-const $c55 = new Map([["Belt", $c594], ["TakeUp", $c595], ["DesignStandard", $c596], ["SafetyFactors", $c597], ["Sag", $c598], ["Conveyor", $c599], ["Lagging", $c600], ["Block", $c601], ["Cost", $c602], ["ConditionFactor", $c603], ["GrippingPulley", $c604], ["Transition", $c605], ["Across", $c606], ["Motor", $c607], ["TorqueFollower", $c608]]);
-const $c648 = ["mm", "m", "cm", "in", "ft"];
-const $c649 = ["kN", "N", "lbf", "kgf", "tf", "MN"];
-const $c650 = ["kN/m", "N/m", "PIW", "N/mm", "MN/m"];
-const $c651 = ["kPa", "MPa", "Pa", "psi", "bar", "GPa"];
-const $c652 = ["m/s", "m/min", "ft/min", "km/h"];
-const $c653 = ["deg", "rad"];
-const $c654 = ["kW", "W", "hp", "MW"];
-const $c655 = ["t", "kg", "g"];
-const $c656 = ["kg/m", "g/m", "t/m"];
-const $c657 = ["t/h", "kg/s", "kg/h"];
-const $c658 = ["kg m2", "t m2", "kg cm2"];
-const $c659 = ["kN m", "N m", "MN m"];
-const $c660 = ["s", "min", "ms", "h"];
-const $c56 = new Map([["length", $c648], ["force", $c649], ["force_per_width", $c650], ["pressure", $c651], ["speed", $c652], ["angle", $c653], ["power", $c654], ["mass", $c655], ["mass_per_length", $c656], ["mass_flow", $c657], ["moment_of_inertia", $c658], ["torque", $c659], ["time", $c660]]);
-const $c57 = new Place("", "", "");
-const $c58 = new Map([["shell_profile", 0.015], ["worn_depth", 0.025], ["build_up", 0.03]]);
-const $c661 = ["rated power of the motor", "power"];
-const $c662 = ["rated speed of the motor", "rotation_speed"];
-const $c663 = ["speed of the drum over that of the belt", "number"];
-const $c59 = [$c661, $c662, $c663];
-const $c664 = [250.0, 20000000.0];
-const $c665 = [10.0, 400.0];
-const $c666 = [0.95, 1.05];
-const $c60 = [$c664, $c665, $c666];
-const $c667 = ["length", 3.0, 30000.0];
-const $c668 = ["lift", -1500.0, 1500.0];
-const $c669 = ["belt_mass", 3.0, 100.0];
-const $c670 = ["carry_idler_mass", 2.0, 60.0];
-const $c671 = ["return_idler_mass", 0.7, 30.0];
-const $c672 = ["material_mass", 0.5, 4000.0];
-const $c673 = ["capacity", 0.1, 15000.0];
-const $c674 = ["friction_factor", 0.01, 0.04];
-const $c675 = ["secondary_resistance", 10.0, 500000.0];
-const $c676 = ["special_resistance", 10.0, 200000.0];
-const $c677 = ["start_time", 1.0, 600.0];
-const $c678 = ["stop_time", 1.0, 600.0];
-const $c679 = ["take_up_tension", 300.0, 2000000.0];
-const $c680 = ["counterweight", 30.0, 200000.0];
-const $c61 = [$c667, $c668, $c669, $c670, $c671, $c672, $c673, $c674, $c675, $c676, $c677, $c678, $c679, $c680];
-const $c62 = ["belt_mass", "carry_idler_mass", "return_idler_mass"];
-const $c696 = $made(Limit, $c902, ["speed", 0.0, Infinity, true, false]);
-const $c697 = $made(Limit, $c902, ["number", 0.01, 100.0, false, false]);
-const $c63 = new Map([["length", $c681], ["lift", $c682], ["belt_mass", $c683], ["carry_idler_mass", $c684], ["return_idler_mass", $c685], ["material_mass", $c683], ["capacity", $c686], ["friction_factor", $c687], ["length_coefficient", $c688], ["secondary_resistance", $c689], ["special_resistance", $c689], ["return_share", $c690], ["start_factor", $c691], ["start_time", $c692], ["stop_time", $c692], ["take_up_tension", $c693], ["counterweight", $c694], ["take_up_distance", $c695], ["speed", $c696], ["sheave_ratio", $c697]]);
-const $c698 = [0.2, 4.0];
-const $c699 = [100000.0, 1000000000.0];
-const $c700 = [0.05, 15.0];
-const $c701 = [0.15, 3.0];
-const $c702 = [0.17453292519943295, 4.71238898038469];
-const $c703 = [2.0943951023931953, 4.71238898038469];
-const $c704 = [0.0005, 0.061];
-const $c705 = [-0.002, 0.002];
-const $c706 = [0.0, 0.06];
-const $c707 = [100000.0, 50000000.0];
-const $c708 = [100000.0, 5000000000.0];
-const $c709 = [5000.0, 2000000.0];
-const $c710 = [10000.0, 50000000.0];
-const $c711 = [50000.0, 10000000.0];
-const $c712 = [0.1, 3.0];
-const $c713 = [500.0, 10000000.0];
-const $c714 = [4.0, 20.0];
-const $c715 = [15.0, 1000.0];
-const $c716 = [0.0, 1600000.0];
-const $c717 = [1.0, 130.0];
-const $c64 = [$c698, $c699, $c700, $c701, $c702, $c703, $c704, $c705, $c706, $c707, $c708, $c709, $c710, $c710, $c711, $c712, $c713, $c714, $c715, $c716, $c713, $c713, $c664, $c717];
-const $c722 = [500.0, 2000000.0];
-const $c718 = ["least tested pressure", "pressure", $c722];
-const $c723 = [10000.0, 10000000.0];
-const $c719 = ["largest tested pressure", "pressure", $c723];
-const $c724 = [5e-05, 0.3];
-const $c720 = ["largest tested slip", "length", $c724];
-const $c725 = [2e-06, 0.3];
-const $c721 = ["tested slip speed", "speed", $c725];
-const $c65 = new Map([["pressure_min", $c718], ["pressure_max", $c719], ["slip_max", $c720], ["slip_speed", $c721]]);
-const $c66 = [0.03, 1.9];
-const $c67 = ["force", "mass_per_length"];
-const $c68 = new Map([["illustrative", "on illustrative data"], ["untested", "on friction without tests"], ["estimated", "on estimated data"], ["calibrated", "on calibrated data"]]);
-const $c69 = new WeakMap();
-const $c728 = [180.0, 1.2];
-const $c729 = [200.0, 1.0];
-const $c730 = [210.0, 1.0];
-const $c731 = [220.0, 0.9];
-const $c732 = [240.0, 0.8];
-const $c726 = [$c728, $c729, $c730, $c731, $c732];
-const $c733 = [180.0, 0.8];
-const $c734 = [200.0, 0.7];
-const $c735 = [210.0, 0.7];
-const $c736 = [220.0, 0.6];
-const $c737 = [240.0, 0.6];
-const $c727 = [$c733, $c734, $c735, $c736, $c737];
-const $c70 = new Map([["bare", $c726], ["lagged", $c727]]);
-const $c759 = ["standard", "surface", "condition", "friction", "provenance"];
-const $c760 = [0.25, 0.25];
-const $c761 = $made(Provenance, $c557, ["published", "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", "", ""]);
-const $c738 = $made(DesignFriction, $c759, ["CEMA", "bare", "", $c760, $c761]);
-const $c762 = [0.35, 0.35];
-const $c763 = $made(Provenance, $c557, ["published", "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", "", ""]);
-const $c739 = $made(DesignFriction, $c759, ["CEMA", "rubber", "", $c762, $c763]);
-const $c764 = [0.5, 0.5];
-const $c765 = $made(Provenance, $c557, ["published", "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", "", "dimpled ceramic"]);
-const $c740 = $made(DesignFriction, $c759, ["CEMA", "ceramic", "", $c764, $c765]);
-const $c766 = [0.35, 0.4];
-const $c767 = $made(Provenance, $c557, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
-const $c741 = $made(DesignFriction, $c759, ["DIN 22101", "bare", "dry", $c766, $c767]);
-const $c768 = [0.1, 0.1];
-const $c769 = $made(Provenance, $c557, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
-const $c742 = $made(DesignFriction, $c759, ["DIN 22101", "bare", "wet", $c768, $c769]);
-const $c770 = [0.05, 0.1];
-const $c771 = $made(Provenance, $c557, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
-const $c743 = $made(DesignFriction, $c759, ["DIN 22101", "bare", "wet and dirty", $c770, $c771]);
-const $c772 = [0.4, 0.45];
-const $c773 = $made(Provenance, $c557, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "herringbone grooves"]);
-const $c744 = $made(DesignFriction, $c759, ["DIN 22101", "rubber", "dry", $c772, $c773]);
-const $c774 = [0.35, 0.35];
-const $c775 = $made(Provenance, $c557, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "herringbone grooves; single value, partly from IS 11592 and REMA"]);
-const $c745 = $made(DesignFriction, $c759, ["DIN 22101", "rubber", "wet", $c774, $c775]);
-const $c776 = [0.25, 0.3];
-const $c777 = $made(Provenance, $c557, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "herringbone grooves"]);
-const $c746 = $made(DesignFriction, $c759, ["DIN 22101", "rubber", "wet and dirty", $c776, $c777]);
-const $c778 = [0.35, 0.4];
-const $c779 = $made(Provenance, $c557, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
-const $c747 = $made(DesignFriction, $c759, ["DIN 22101", "polyurethane", "dry", $c778, $c779]);
-const $c780 = [0.35, 0.35];
-const $c781 = $made(Provenance, $c557, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
-const $c748 = $made(DesignFriction, $c759, ["DIN 22101", "polyurethane", "wet", $c780, $c781]);
-const $c782 = [0.2, 0.2];
-const $c783 = $made(Provenance, $c557, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
-const $c749 = $made(DesignFriction, $c759, ["DIN 22101", "polyurethane", "wet and dirty", $c782, $c783]);
-const $c784 = [0.4, 0.45];
-const $c785 = $made(Provenance, $c557, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
-const $c750 = $made(DesignFriction, $c759, ["DIN 22101", "ceramic", "dry", $c784, $c785]);
-const $c786 = [0.35, 0.4];
-const $c787 = $made(Provenance, $c557, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
-const $c751 = $made(DesignFriction, $c759, ["DIN 22101", "ceramic", "wet", $c786, $c787]);
-const $c788 = [0.35, 0.35];
-const $c789 = $made(Provenance, $c557, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
-const $c752 = $made(DesignFriction, $c759, ["DIN 22101", "ceramic", "wet and dirty", $c788, $c789]);
-const $c790 = [0.35, 0.35];
-const $c791 = $made(Provenance, $c557, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "diamond rubber"]);
-const $c753 = $made(DesignFriction, $c759, ["practice", "rubber", "dry", $c790, $c791]);
-const $c792 = [0.35, 0.35];
-const $c793 = $made(Provenance, $c557, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "diamond rubber"]);
-const $c754 = $made(DesignFriction, $c759, ["practice", "rubber", "wet", $c792, $c793]);
-const $c794 = [0.3, 0.3];
-const $c795 = $made(Provenance, $c557, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "diamond rubber"]);
-const $c755 = $made(DesignFriction, $c759, ["practice", "rubber", "wet and dirty", $c794, $c795]);
-const $c796 = [0.8, 0.8];
-const $c797 = $made(Provenance, $c557, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "ceramic in rubber"]);
-const $c756 = $made(DesignFriction, $c759, ["practice", "ceramic", "dry", $c796, $c797]);
-const $c798 = [0.45, 0.45];
-const $c799 = $made(Provenance, $c557, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "ceramic in rubber"]);
-const $c757 = $made(DesignFriction, $c759, ["practice", "ceramic", "wet", $c798, $c799]);
-const $c800 = [0.35, 0.35];
-const $c801 = $made(Provenance, $c557, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "ceramic in rubber"]);
-const $c758 = $made(DesignFriction, $c759, ["practice", "ceramic", "wet and dirty", $c800, $c801]);
-const $c71 = [$c738, $c739, $c740, $c741, $c742, $c743, $c744, $c745, $c746, $c747, $c748, $c749, $c750, $c751, $c752, $c753, $c754, $c755, $c756, $c757, $c758];
-const $c72 = new Set(["cover_creep", "creep", "creep_interval", "design_standard", "gross_slip", "sag", "tested_pressure_min", "tested_slip", "uneven_creep"]);
-const $c73 = new Set(["belt_safety", "belt_tension", "edge_tension", "face_pressure", "momentary_tension", "tested_pressure_max", "uneven_face_pressure", "uneven_pressure"]);
-const $c74 = new Map([["uneven_creep", "creep"], ["uneven_pressure", "tested_pressure_max"], ["uneven_face_pressure", "face_pressure"], ["uneven_bond_stress", "bond_stress"], ["uneven_fatigue_stress", "fatigue_stress"], ["edge_tension", "belt_tension"]]);
-const $c802 = $made(Rule, $c1544, ["taut", "a belt that nowhere hangs slack", "ATTENTION", NaN, NaN, false, "number", "", true, null, null, null, null, null, false, null, null]);
-const $c803 = $made(Rule, $c1544, ["belt_thickness", "a trim without the thickness of the belt", "ATTENTION", NaN, NaN, true, "number", "", true, null, null, null, null, null, false, null, null]);
-const $c804 = $made(Rule, $c1544, ["usual_sizes", "an unusual size", "ATTENTION", NaN, NaN, true, "number", "", false, null, null, null, null, null, false, null, null]);
-const $c805 = $made(Rule, $c1544, ["motor_heat", "the heat that a motor bears", "ATTENTION", NaN, NaN, true, "time", "", true, null, null, null, null, null, false, null, null]);
-const $c75 = new Map([["gross_slip", $c50], ["design_standard", $c574], ["creep", $c575], ["cover_creep", $c576], ["creep_interval", $c577], ["belt_tension", $c578], ["momentary_tension", $c579], ["belt_safety", $c580], ["face_pressure", $c581], ["bond_stress", $c582], ["fatigue_stress", $c583], ["tested_pressure_max", $c584], ["tested_pressure_min", $c585], ["condition", $c586], ["fit", $c587], ["tested_slip", $c588], ["tested_slip_speed", $c589], ["balance", $c590], ["sag", $c591], ["taut", $c802], ["pulley_diameter", $c53], ["belt_thickness", $c803], ["usual_sizes", $c804], ["motor_load", $c47], ["momentary_load", $c46], ["motor_heat", $c805], ["train_balance", $c44]]);
-const $c76 = new Map([["distributed", "distributed"], ["paper", "paper's march"]]);
-const $c77 = new WeakMap();
-const $c809 = ["name", "surface", "material", "life_years", "provenance"];
-const $c810 = [1, 2];
-const $c811 = $made(Provenance, $c557, ["published", "Elastotec, lagging comparison, elastotec.com.au/lagging-comparison", "", "life of ceramic: over 10 years; the vendor's own assumptions; currency not stated there, AUD assumed"]);
-const $c806 = $made(LaggingCost, $c809, ["rubber", "rubber", 625, $c810, $c811]);
-const $c812 = [10, 10];
-const $c813 = $made(Provenance, $c557, ["published", "Elastotec, lagging comparison, elastotec.com.au/lagging-comparison", "", "life of ceramic: over 10 years; the vendor's own assumptions; currency not stated there, AUD assumed"]);
-const $c807 = $made(LaggingCost, $c809, ["ceramic, cold bonded", "ceramic", 4600, $c812, $c813]);
-const $c814 = [10, 10];
-const $c815 = $made(Provenance, $c557, ["published", "Elastotec, lagging comparison, elastotec.com.au/lagging-comparison", "", "life of ceramic: over 10 years; the vendor's own assumptions; currency not stated there, AUD assumed"]);
-const $c808 = $made(LaggingCost, $c809, ["ceramic, hot vulcanised", "ceramic", 4950, $c814, $c815]);
-const $c78 = [$c806, $c807, $c808];
-const $c79 = $made(Provenance, $c557, ["given", "", "", "estimated: belt covers have 0.8 to 1.5 MPa (116 to 218 psi)"]);
-const $c80 = $made(Provenance, $c557, ["given", "", "", ""]);
-const $c81 = $made(Provenance, $c557, ["published", "B. DeVries, A model of lagging friction as a function of creep history and wrap pressure", "", "the conservative customary limit"]);
-const $c82 = new Map([["entry_tension", "T1"], ["exit_tension", "T2"]]);
-const $c83 = $re("\\.?([A-Za-z_][A-Za-z0-9_-]*)|\\[(\\d+)\\]", "");
-const $c84 = ["format", "name", "title", "description", "surface", "thickness", "elastic_modulus", "shear_modulus", "compression_modulus", "block", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "cost", "slip_speed", "temperature", "condition_factor", "law", "provenance", "sources", "notes"];
-const $c85 = ["name", "title", "surface", "elastic_modulus", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "description"];
-const $c87 = ["elastic_modulus", "shear_modulus", "compression_modulus", "block"];
-const $c88 = ["thickness", "shear_modulus", "compression_modulus"];
-const $c89 = new Map([["width", $c816], ["height", $c817], ["stiffening", $c818], ["contact_fraction", $c819]]);
-const $c92 = new Map([["friction_coefficient", "friction"], ["slip_max", "tested_slip"], ["tested", "tested_pressure"], ["pieces.a", "A"], ["values", "rows"], ["peak_friction", "knots"], ["peak_slip", "knots"], ["post_peak_slope", "knots"], ["residual_friction", "knots"]]);
-const $c93 = new Map([["integral-log", "knots"], ["table", "rows"]]);
-const $c95 = $re("\\s*(?<sign>[+-])?\\s*(?<number>(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)?\\s*\\*?\\s*(?<factor>p(?:\\s*\\^\\s*(?:\\(\\s*(?<within>[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)\\s*\\)|(?<power>[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)))?|ln\\(\\s*p\\s*\\)(?:\\s*\\^\\s*(?<log_power>[123]))?|exp\\((?<exponent>(?:[^()]|\\(\\s*p\\s*\\))*)\\))?\\s*", "");
-const $c1556 = $made(Name, $c906, [60]);
-const $c1547 = $made(Entry, $c896, ["name", $c1556, true, "", "name = \"my-lagging\"", "name", ""]);
-const $c1557 = $made(Quantity, $c153, ["length", $c843]);
-const $c1548 = $made(Entry, $c896, ["thickness", $c1557, false, "", "", "thickness", ""]);
-const $c1558 = $made(Quantity, $c153, ["pressure", $c846]);
-const $c1549 = $made(Entry, $c896, ["elastic_modulus", $c1558, false, "", "", "elastic_modulus", ""]);
-const $c1560 = $made(Quantity, $c153, ["pressure", $c844]);
-const $c1559 = $made(WordOr, $c932, ["rigid", $c1560, Infinity]);
-const $c1550 = $made(Entry, $c896, ["shear_modulus", $c1559, false, "", "", "shear_modulus", ""]);
-const $c1562 = $made(Quantity, $c153, ["pressure", $c845]);
-const $c1561 = $made(WordOr, $c932, ["rigid", $c1562, Infinity]);
-const $c1551 = $made(Entry, $c896, ["compression_modulus", $c1561, false, "", "", "compression_modulus", ""]);
-const $c1563 = $made(Quantity, $c153, ["wear_coefficient", $c847]);
-const $c1552 = $made(Entry, $c896, ["wear_coefficient", $c1563, false, "", "", "wear_coefficient", ""]);
-const $c1564 = $made(Quantity, $c153, ["number", $c848]);
-const $c1553 = $made(Entry, $c896, ["belt_energy_share", $c1564, false, "", "", "belt_energy_share", ""]);
-const $c1565 = $made(Quantity, $c153, ["pressure", $c849]);
-const $c1554 = $made(Entry, $c896, ["bond_strength", $c1565, false, "", "", "bond_strength", ""]);
-const $c1566 = $made(Quantity, $c153, ["pressure", $c850]);
-const $c1555 = $made(Entry, $c896, ["fatigue_limit", $c1566, false, "", "", "fatigue_limit", ""]);
-const $c1545 = [$c884, $c1547, $c961, $c962, $c963, $c1548, $c1549, $c1550, $c1551, $c968, $c1552, $c1553, $c1554, $c1555, $c973, $c974, $c975, $c976, $c977, $c146, $c147, $c978];
-const $c1546 = new Map([["format", $c884], ["name", $c1547], ["title", $c961], ["description", $c962], ["surface", $c963], ["thickness", $c1548], ["elastic_modulus", $c1549], ["shear_modulus", $c1550], ["compression_modulus", $c1551], ["block", $c968], ["wear_coefficient", $c1552], ["belt_energy_share", $c1553], ["bond_strength", $c1554], ["fatigue_limit", $c1555], ["cost", $c973], ["slip_speed", $c974], ["temperature", $c975], ["condition_factor", $c976], ["law", $c977], ["provenance", $c146], ["sources", $c147], ["notes", $c978]]);
-const $c99 = $made(tables$Table, $c881, [Lagging, $c1545, $c1546]);
-const $c820 = ["compression_modulus", "block"];
-const $c100 = [$c820];
-const $c101 = new Set(["belt_energy_share", "block", "bond_strength", "compression_modulus", "condition_factor", "cost", "elastic_modulus", "fatigue_limit", "law", "shear_modulus", "slip_speed", "temperature", "thickness", "wear_coefficient"]);
-const $c102 = new RunsGain(0.0, 0.0);
-const $c104 = ["effective_tension", "torque", "power"];
-const $c105 = ["share", "speeds", "motor"];
-const $c108 = ["data", "sense"];
-const $c109 = new Map([["NOT CHECKED", 0], ["OK", 1], ["ATTENTION", 2], ["FAILS", 3], ["FAULT OF THE PROGRAM", 4]]);
-const $c110 = $Decimal.of("0");
-const $c111 = [""];
-const $c825 = ["form", "coefficients", "sign"];
-const $c826 = [0.0];
-const $c112 = $made(Trend, $c825, ["polynomial", $c826, 1]);
-const $c827 = [1000000000.0];
-const $c113 = $made(Trend, $c825, ["polynomial", $c827, 1]);
-const $c114 = new Map([["factor", $c828]]);
-const $c115 = new Map([["x", $c829], ["y", $c829], ["diameter", $c830]]);
-const $c831 = $made(Limit, $c902, ["force", 0.1, 1000000000.0, false, false]);
-const $c116 = new Map([["entry", $c219], ["exit", $c831]]);
-const $c117 = new Map([["creep_limit", $c832]]);
-const $c833 = $made(Limit, $c902, ["length", 0.0, Infinity, true, false]);
-const $c118 = new Map([["creep_limit", $c833]]);
-const $c839 = $made(Limit, $c902, ["number", 1, 8, false, false]);
-const $c119 = new Map([["rated_power", $c834], ["rated_speed", $c835], ["gear_ratio", $c836], ["gear_efficiency", $c837], ["motor_efficiency", $c838], ["count", $c839]]);
-const $c120 = new Map([["rated_power", $c834], ["rated_speed", $c835], ["gear_ratio", $c836], ["gear_efficiency", $c837], ["motor_efficiency", $c838], ["count", $c839], ["setting", $c840], ["droop", $c841], ["torque_limit", $c842]]);
-const $c121 = new Map([["thickness", $c843], ["shear_modulus", $c844], ["compression_modulus", $c845], ["elastic_modulus", $c846], ["wear_coefficient", $c847], ["belt_energy_share", $c848], ["bond_strength", $c849], ["fatigue_limit", $c850]]);
-const $c122 = new Map([["ratio", $c851]]);
-const $c123 = new Map([["entry_tension", $c219], ["exit_tension", $c831]]);
-const $c124 = new Map([["sheave_ratio", $c852]]);
-const $c125 = new Map([["friction", $c853], ["start_factor", $c854]]);
-const $c126 = new Map([["running", $c854], ["starting", $c854], ["braking", $c854]]);
-const $c127 = ["of"];
-const $c148 = ["key", "kind", "example", "attribute"];
-const $c155 = ["dimension", "least"];
-const $c157 = ["word", "kind"];
-const $c188 = ["kind"];
-const $c214 = ["text"];
-const $c570 = ["name", "what", "missed", "at_most", "dimension", "tension", "binding", "firm", "value", "allowed", "limit", "of_solution", "words"];
-const $c592 = new Map([["steel cord", 1600000.0], ["fabric", 140000.0]]);
-const $c593 = new Map([["steel cord", 6.666666666666667], ["fabric", 8.0]]);
-const $c855 = ["balance", "train_balance", "across_balance"];
-const $c856 = ["cover_creep", "creep_interval", "tested_slip_speed"];
-const $c857 = ["gross_slip", "operating_point", "fight"];
-const $c858 = ["on illustrative data", "on friction without tests", "on estimated data", "on calibrated data"];
-const $c1567 = [false, false];
-const $c1568 = [true, false];
-const $c1569 = [true, true];
-const $c1570 = [false, true];
-const $c859 = new Map([["polynomial", $c1567], ["logarithmic", $c1568], ["power", $c1569], ["exponential", $c1570]]);
-const $c864 = $made(_OfClass, [], []);
-const $c865 = new Map([[10, null], [9, null]]);
-const $c866 = $re("(?:ST[ -]?|(?:\\b(?:EP|EE|NN|PN|NP|PP|EB)[ -]?|^)(?=\\d+/\\d))(\\d{3,5})\\b", "");
-const $c1571 = [80.0, 1.92];
-const $c1572 = [90.0, 1.86];
-const $c1573 = [100.0, 1.78];
-const $c1574 = [120.0, 1.7];
-const $c1575 = [140.0, 1.63];
-const $c1576 = [160.0, 1.56];
-const $c1577 = [180.0, 1.5];
-const $c1578 = [200.0, 1.45];
-const $c1579 = [250.0, 1.38];
-const $c1580 = [300.0, 1.31];
-const $c1581 = [350.0, 1.27];
-const $c1582 = [400.0, 1.25];
-const $c1583 = [450.0, 1.22];
-const $c1584 = [500.0, 1.2];
-const $c1585 = [550.0, 1.18];
-const $c1586 = [600.0, 1.17];
-const $c1587 = [700.0, 1.14];
-const $c1588 = [800.0, 1.12];
-const $c1589 = [900.0, 1.1];
-const $c1590 = [1000.0, 1.09];
-const $c1591 = [1500.0, 1.06];
-const $c1592 = [2000.0, 1.05];
-const $c869 = [$c1571, $c1572, $c1573, $c1574, $c1575, $c1576, $c1577, $c1578, $c1579, $c1580, $c1581, $c1582, $c1583, $c1584, $c1585, $c1586, $c1587, $c1588, $c1589, $c1590, $c1591, $c1592];
-const $c1593 = $made(Limit, $c902, ["number", 0.0, Infinity, false, false]);
-const $c1594 = $made(Limit, $c902, ["number", 1.0, Infinity, false, false]);
-const $c871 = new Map([["residual_noise", $c1593], ["coverage_factor", $c1594]]);
-const $c872 = $re("knots\\[([0-9]{1,4})\\]\\.(peak_slip|peak_friction)", "");
-const $c873 = $Decimal.of("0");
-const $c874 = new Map([["misalignment", $c1261], ["deflection", $c1263]]);
-const $c875 = new Map([["diameter", $c209], ["wrap_angle", $c211], ["overrun", $c225], ["creep_limit", $c228], ["mass", $c231]]);
-const $c876 = new Map([["spacing", $c1417], ["line_mass", $c1419], ["share", $c1421]]);
-const $c877 = new Map([["material", $c1014], ["installation", $c1016], ["area", $c1019]]);
-const $c1595 = $made(Limit, $c902, ["number", 0.0, 10.0, true, false]);
-const $c878 = new Map([["factor", $c1595]]);
-const $c879 = new Map([["rated_power", $c834], ["rated_speed", $c835], ["gear_ratio", $c836], ["gear_efficiency", $c837], ["motor_efficiency", $c838], ["count", $c839], ["synchronous_speed", $c1506], ["breakdown_ratio", $c1508]]);
-const $c880 = new Map([["length", $c1305], ["trough_angle", $c1307], ["centre_roll", $c1309]]);
-const $c1195 = ["dimension", "within"];
-const $c1450 = ["words"];
-const $c1596 = [0.016, 0.03];
-const $c1597 = new Map([["distance", $c1294]]);
-const $c1607 = $made(Limit, $c902, ["number", 0.0, 10.0, true, false]);
-const $c1605 = $made(Quantity, $c153, ["number", $c1607]);
-const $c1608 = $made(Limit, $c902, ["rotation_speed", 0.0, Infinity, true, false]);
-const $c1606 = $made(Quantity, $c153, ["rotation_speed", $c1608]);
-const $c1604 = $made(Either, $c1600, [$c1605, $c1606, "a trim like \"99.7 %\" or a drum speed like \"71.6 rpm\""]);
-const $c1598 = $made(Rows, $c934, [$c1604, 1, 10]);
+const $cc03e = ["of", "entries", "_known"];
+const $cc442 = ["key", "kind", "required", "alias", "example", "attribute", "unless"];
+const $cd20a = ["dimension", "limit"];
+const $c0afb = $made(Quantity, $cd20a, ["number", null]);
+const $cb73a = $made(Entry, $cc442, ["format", $c0afb, true, "", "format = 1", "format", ""]);
+const $ceae0 = ["longest", "lines"];
+const $ccf8f = $made(Text, $ceae0, [200, false]);
+const $c34bd = $made(Entry, $cc442, ["title", $ccf8f, false, "", "", "title", ""]);
+const $c7b03 = $made(Text, $ceae0, [5000, true]);
+const $ce3f2 = $made(Entry, $cc442, ["description", $c7b03, false, "", "", "description", ""]);
+const $cf70d = ["dimension", "least", "most", "open", "rigid"];
+const $c2680 = $made(Limit, $cf70d, ["length", 0.0, 1.0, true, false]);
+const $ce647 = $made(Quantity, $cd20a, ["length", $c2680]);
+const $cb10e = $made(Entry, $cc442, ["creep_limit", $ce647, false, "", "", "creep_limit", ""]);
+const $cf6b7 = ["kind", "most"];
+const $cea31 = ["text", "table"];
+const $c4a10 = ["longest"];
+const $cd35f = $made(Name, $c4a10, [60]);
+const $ca26a = $made(Name, $c4a10, [60]);
+const $c7314 = $made(Entry, $cc442, ["name", $ca26a, true, "", "", "name", ""]);
+const $cd2d2 = $made(Limit, $cf70d, ["number", 0.0, 2.0, true, false]);
+const $ceac4 = $made(Quantity, $cd20a, ["number", $cd2d2]);
+const $ca34d = $made(Entry, $cc442, ["friction_factor", $ceac4, false, "", "", "factor", ""]);
+const $c6a0b = $made(ByName, $cf6b7, [$ceac4, 200]);
+const $c4bd7 = $made(Entry, $cc442, ["friction_factors", $c6a0b, false, "", "", "friction_factors", ""]);
+const $ca793 = ["options"];
+const $c3465 = ["DIN 22101", "practice"];
+const $c0782 = $made(Choice, $ca793, [$c3465]);
+const $ce3ac = $made(Entry, $cc442, ["standard", $c0782, false, "", "", "standard", ""]);
+const $c375d = ["measured", "published", "calibrated", "illustrative", "given"];
+const $c7aba = $made(Choice, $ca793, [$c375d]);
+const $c4f19 = $made(Entry, $cc442, ["kind", $c7aba, true, "", "", "kind", ""]);
+const $ccbaa = $made(Text, $ceae0, [500, false]);
+const $c57e7 = $made(Entry, $cc442, ["source", $ccbaa, false, "", "", "source", ""]);
+const $c7f21 = $made(Text, $ceae0, [60, false]);
+const $caef5 = $made(Entry, $cc442, ["date", $c7f21, false, "", "", "date", ""]);
+const $cd050 = $made(Text, $ceae0, [1000, false]);
+const $cd519 = $made(Entry, $cc442, ["note", $cd050, false, "", "", "note", ""]);
+const $c085d = [$c4f19, $c57e7, $caef5, $cd519];
+const $cc3a5 = new Map([["kind", $c4f19], ["source", $c57e7], ["date", $caef5], ["note", $cd519]]);
+const $cc542 = $made(tables$Table, $cc03e, [Provenance, $c085d, $cc3a5]);
+const $c18ea = $made(Entry, $cc442, ["provenance", $cc542, false, "", "", "provenance", ""]);
+const $c3411 = [$c7314, $ca34d, $c4bd7, $ce3ac, $c18ea];
+const $c1628 = new Map([["name", $c7314], ["friction_factor", $ca34d], ["friction_factors", $c4bd7], ["standard", $ce3ac], ["provenance", $c18ea]]);
+const $c0bb9 = $made(tables$Table, $cc03e, [Condition, $c3411, $c1628]);
+const $c6e45 = $made(TextOr, $cea31, [$cd35f, $c0bb9]);
+const $c317e = $made(OneOrMore, $cf6b7, [$c6e45, 8]);
+const $c750b = $made(Entry, $cc442, ["condition", $c317e, false, "", "", "condition", ""]);
+const $c3008 = $made(Name, $c4a10, [60]);
+const $c3ef1 = $made(Entry, $cc442, ["preset", $c3008, false, "", "", "preset", ""]);
+const $c2f46 = $made(Name, $c4a10, [60]);
+const $c801a = $made(Entry, $cc442, ["name", $c2f46, false, "", "", "name", ""]);
+const $c291d = $made(Text, $ceae0, [60, false]);
+const $c7e52 = $made(Entry, $cc442, ["kind", $c291d, false, "", "", "kind", ""]);
+const $c1da4 = $made(Limit, $cf70d, ["length", 0.001, 1000.0, false, false]);
+const $c01ab = $made(Quantity, $cd20a, ["length", $c1da4]);
+const $cd329 = $made(Entry, $cc442, ["width", $c01ab, true, "", "", "width", ""]);
+const $c6a10 = ["word", "kind", "meaning"];
+const $c5a26 = $made(Limit, $cf70d, ["force_per_width", 1000.0, Infinity, false, true]);
+const $cebd5 = $made(Quantity, $cd20a, ["force_per_width", $c5a26]);
+const $c4321 = $made(WordOr, $c6a10, ["rigid", $cebd5, Infinity]);
+const $c0833 = $made(Entry, $cc442, ["modulus", $c4321, false, "", "", "modulus", ""]);
+const $c4bc3 = $made(Limit, $cf70d, ["force_per_width", 0.0, Infinity, true, false]);
+const $c5a41 = $made(Quantity, $cd20a, ["force_per_width", $c4bc3]);
+const $cb059 = $made(Entry, $cc442, ["rating", $c5a41, false, "", "", "rating", ""]);
+const $c3eaf = $made(Limit, $cf70d, ["force_per_width", 0.0, Infinity, true, false]);
+const $cae9b = $made(Quantity, $cd20a, ["force_per_width", $c3eaf]);
+const $c8c7e = $made(Entry, $cc442, ["strength", $cae9b, false, "", "", "strength", ""]);
+const $c45b0 = $made(Limit, $cf70d, ["speed", 0.0, 1000.0, true, false]);
+const $cbc50 = $made(Quantity, $cd20a, ["speed", $c45b0]);
+const $c2745 = $made(Entry, $cc442, ["speed", $cbc50, false, "", "", "speed", ""]);
+const $cfb5f = $made(Limit, $cf70d, ["number", 1.0, 10.0, false, false]);
+const $c2c6c = $made(Quantity, $cd20a, ["number", $cfb5f]);
+const $c5eeb = $made(Entry, $cc442, ["momentary_factor", $c2c6c, false, "", "", "momentary_factor", ""]);
+const $cbc30 = $made(Limit, $cf70d, ["length", 0.0, Infinity, true, false]);
+const $cb28b = $made(Quantity, $cd20a, ["length", $cbc30]);
+const $cfe48 = $made(Entry, $cc442, ["least_pulley_diameter", $cb28b, false, "", "", "least_pulley_diameter", ""]);
+const $cf3a1 = $made(Limit, $cf70d, ["pressure", 0.0, Infinity, true, false]);
+const $cc07a = $made(Quantity, $cd20a, ["pressure", $cf3a1]);
+const $c87e9 = $made(Entry, $cc442, ["largest_wrap_pressure", $cc07a, false, "", "", "largest_wrap_pressure", ""]);
+const $cd676 = $made(Limit, $cf70d, ["force_per_width", 1.0, 1000000000.0, false, false]);
+const $c49e6 = $made(Quantity, $cd20a, ["force_per_width", $cd676]);
+const $c4ee8 = $made(Entry, $cc442, ["in_plane_shear_stiffness", $c49e6, false, "", "", "in_plane_shear_stiffness", ""]);
+const $cbe31 = $made(Limit, $cf70d, ["length", 0.0, 0.06, false, false]);
+const $c9861 = $made(Quantity, $cd20a, ["length", $cbe31]);
+const $cc066 = $made(Entry, $cc442, ["pulley_cover", $c9861, false, "", "", "pulley_cover", ""]);
+const $ca3d0 = $made(Limit, $cf70d, ["length", 0.0, 0.06, false, false]);
+const $ce9d5 = $made(Quantity, $cd20a, ["length", $ca3d0]);
+const $c6210 = $made(Entry, $cc442, ["carry_cover", $ce9d5, false, "", "", "carry_cover", ""]);
+const $c9b33 = $made(Limit, $cf70d, ["length", 0.0, 0.06, true, false]);
+const $ccdee = $made(Quantity, $cd20a, ["length", $c9b33]);
+const $cc24c = $made(Entry, $cc442, ["carcass", $ccdee, false, "", "", "carcass", ""]);
+const $cbf1f = $made(Limit, $cf70d, ["length", 0.0, 0.06, true, false]);
+const $ccd43 = $made(Quantity, $cd20a, ["length", $cbf1f]);
+const $c91f6 = $made(Entry, $cc442, ["thickness", $ccd43, false, "", "", "thickness", ""]);
+const $c975b = $made(Limit, $cf70d, ["pressure", 100000.0, 100000000.0, false, true]);
+const $c081b = $made(Quantity, $cd20a, ["pressure", $c975b]);
+const $cc736 = $made(WordOr, $c6a10, ["rigid", $c081b, Infinity]);
+const $c182a = $made(Entry, $cc442, ["cover_shear_modulus", $cc736, false, "", "", "cover_shear_modulus", ""]);
+const $ce1b5 = $made(Limit, $cf70d, ["mass_per_length", 0.0, 1000000.0, true, false]);
+const $c8beb = $made(Quantity, $cd20a, ["mass_per_length", $ce1b5]);
+const $cea14 = $made(Entry, $cc442, ["mass", $c8beb, false, "", "", "mass", ""]);
+const $c69c3 = $made(Entry, $cc442, ["provenance", $cc542, false, "", "", "provenance", ""]);
+const $c0309 = $made(ByName, $cf6b7, [$cc542, 200]);
+const $c9b00 = $made(Entry, $cc442, ["sources", $c0309, false, "", "", "sources", ""]);
+const $c75bc = [$c3ef1, $c801a, $c7e52, $cd329, $c0833, $cb059, $c8c7e, $c2745, $c5eeb, $cfe48, $c87e9, $c4ee8, $cc066, $c6210, $cc24c, $c91f6, $c182a, $cea14, $c69c3, $c9b00];
+const $c87a7 = new Map([["preset", $c3ef1], ["name", $c801a], ["kind", $c7e52], ["width", $cd329], ["modulus", $c0833], ["rating", $cb059], ["strength", $c8c7e], ["speed", $c2745], ["momentary_factor", $c5eeb], ["least_pulley_diameter", $cfe48], ["largest_wrap_pressure", $c87e9], ["in_plane_shear_stiffness", $c4ee8], ["pulley_cover", $cc066], ["carry_cover", $c6210], ["carcass", $cc24c], ["thickness", $c91f6], ["cover_shear_modulus", $c182a], ["mass", $cea14], ["provenance", $c69c3], ["sources", $c9b00]]);
+const $c808d = $made(tables$Table, $cc03e, [Belt, $c75bc, $c87a7]);
+const $cfe86 = $made(Entry, $cc442, ["belt", $c808d, true, "", "a [belt] table", "belt", ""]);
+const $ce552 = ["kind", "least", "most"];
+const $c8d5c = $made(Name, $c4a10, [60]);
+const $c0948 = $made(Entry, $cc442, ["name", $c8d5c, true, "", "name = \"head\"", "name", ""]);
+const $cd632 = $made(Limit, $cf70d, ["length", 0.001, 1000.0, false, false]);
+const $cf827 = $made(Quantity, $cd20a, ["length", $cd632]);
+const $c75c1 = $made(Entry, $cc442, ["diameter", $cf827, true, "", "", "diameter", ""]);
+const $c1cfe = $made(Limit, $cf70d, ["angle", 0.017453292519943295, 12.566370614359172, false, false]);
+const $c8a05 = $made(Quantity, $cd20a, ["angle", $c1cfe]);
+const $ce003 = $made(Entry, $cc442, ["wrap_angle", $c8a05, true, "wrap", "", "wrap_angle", "belt_path"]);
+const $c9b84 = $made(Limit, $cf70d, ["length", -100000.0, 100000.0, false, false]);
+const $c6068 = $made(Quantity, $cd20a, ["length", $c9b84]);
+const $c01e4 = $made(Entry, $cc442, ["x", $c6068, true, "", "", "x", ""]);
+const $c28be = $made(Quantity, $cd20a, ["length", $c9b84]);
+const $c362f = $made(Entry, $cc442, ["y", $c28be, true, "", "", "y", ""]);
+const $c6dc1 = ["clockwise", "counterclockwise"];
+const $c2da0 = $made(Choice, $ca793, [$c6dc1]);
+const $c464f = $made(Entry, $cc442, ["turn", $c2da0, false, "", "", "turn", ""]);
+const $c2693 = $made(Quantity, $cd20a, ["length", $c9b84]);
+const $ca4db = $made(Entry, $cc442, ["x", $c2693, true, "", "", "x", ""]);
+const $c580c = $made(Quantity, $cd20a, ["length", $c9b84]);
+const $c886d = $made(Entry, $cc442, ["y", $c580c, true, "", "", "y", ""]);
+const $cdca4 = $made(Limit, $cf70d, ["length", 0.0, 1000.0, false, false]);
+const $c4bb5 = $made(Quantity, $cd20a, ["length", $cdca4]);
+const $c2786 = $made(Entry, $cc442, ["diameter", $c4bb5, false, "", "", "diameter", ""]);
+const $cdfe4 = [$ca4db, $c886d, $c2786, $c464f];
+const $cc387 = new Map([["x", $ca4db], ["y", $c886d], ["diameter", $c2786], ["turn", $c464f]]);
+const $c3776 = $made(tables$Table, $cc03e, [Point, $cdfe4, $cc387]);
+const $c1983 = $made(Entry, $cc442, ["before", $c3776, true, "", "a table with x and y", "before", ""]);
+const $c9f5a = $made(Entry, $cc442, ["after", $c3776, true, "", "a table with x and y", "after", ""]);
+const $cc9fe = [$c01e4, $c362f, $c464f, $c1983, $c9f5a];
+const $cefea = new Map([["x", $c01e4], ["y", $c362f], ["turn", $c464f], ["before", $c1983], ["after", $c9f5a]]);
+const $c6bd9 = $made(tables$Table, $cc03e, [Point, $cc9fe, $cefea]);
+const $c65eb = $made(Entry, $cc442, ["belt_path", $c6bd9, false, "", "", "belt_path", ""]);
+const $c0ecb = $made(Name, $c4a10, [500]);
+const $c8cae = $made(Name, $c4a10, [500]);
+const $cfab4 = $made(Entry, $cc442, ["preset", $c8cae, false, "", "", "preset", ""]);
+const $c3d1c = $made(Name, $c4a10, [60]);
+const $c7e8f = $made(Entry, $cc442, ["name", $c3d1c, false, "", "", "name", ""]);
+const $c5207 = $made(Text, $ceae0, [200, false]);
+const $cd66f = $made(Entry, $cc442, ["title", $c5207, false, "", "", "title", ""]);
+const $c8ef3 = $made(Text, $ceae0, [5000, true]);
+const $cc3a1 = $made(Entry, $cc442, ["description", $c8ef3, false, "", "", "description", ""]);
+const $c504b = ["bare", "rubber", "polyurethane", "ceramic"];
+const $c7d4c = $made(Choice, $ca793, [$c504b]);
+const $c5462 = $made(Entry, $cc442, ["surface", $c7d4c, false, "", "", "surface", ""]);
+const $c3f61 = $made(Limit, $cf70d, ["length", 0.0, 1.0, false, false]);
+const $cc797 = $made(Quantity, $cd20a, ["length", $c3f61]);
+const $ca06f = $made(Entry, $cc442, ["thickness", $cc797, false, "", "", "thickness", ""]);
+const $cc7a6 = $made(Limit, $cf70d, ["pressure", 1000.0, Infinity, false, false]);
+const $ce912 = $made(Quantity, $cd20a, ["pressure", $cc7a6]);
+const $c99bb = $made(Entry, $cc442, ["elastic_modulus", $ce912, false, "", "", "elastic_modulus", ""]);
+const $c8b29 = $made(Limit, $cf70d, ["pressure", 1000.0, Infinity, false, true]);
+const $c6e60 = $made(Quantity, $cd20a, ["pressure", $c8b29]);
+const $cf24d = $made(WordOr, $c6a10, ["rigid", $c6e60, Infinity]);
+const $c3ae4 = $made(Entry, $cc442, ["shear_modulus", $cf24d, false, "", "", "shear_modulus", ""]);
+const $cc576 = $made(Limit, $cf70d, ["pressure", 1000.0, Infinity, false, true]);
+const $cabc1 = $made(Quantity, $cd20a, ["pressure", $cc576]);
+const $c76438 = $made(WordOr, $c6a10, ["rigid", $cabc1, Infinity]);
+const $c3f7b = $made(Entry, $cc442, ["compression_modulus", $c76438, false, "", "", "compression_modulus", ""]);
+const $c7017 = ["square", "strip"];
+const $cd99a = $made(Choice, $ca793, [$c7017]);
+const $c2e7f = $made(Entry, $cc442, ["shape", $cd99a, false, "", "", "shape", ""]);
+const $c318b = $made(Limit, $cf70d, ["length", 0.0001, 10.0, false, false]);
+const $ce3ab = $made(Quantity, $cd20a, ["length", $c318b]);
+const $c4c96 = $made(Entry, $cc442, ["width", $ce3ab, true, "", "", "width", ""]);
+const $cd6ed = $made(Limit, $cf70d, ["length", 0.0001, 1.0, false, false]);
+const $c8839 = $made(Quantity, $cd20a, ["length", $cd6ed]);
+const $cbe53 = $made(Entry, $cc442, ["height", $c8839, false, "", "", "height", ""]);
+const $caba4 = $made(Limit, $cf70d, ["number", 0.0, 10.0, false, false]);
+const $ca4ad = $made(Quantity, $cd20a, ["number", $caba4]);
+const $c03a0 = $made(Entry, $cc442, ["stiffening", $ca4ad, false, "", "", "stiffening", ""]);
+const $cbc3c = $made(Limit, $cf70d, ["number", 0.01, 1.0, false, false]);
+const $c09a5 = $made(Quantity, $cd20a, ["number", $cbc3c]);
+const $ced2e = $made(Entry, $cc442, ["contact_fraction", $c09a5, false, "", "", "contact_fraction", ""]);
+const $cc4be = [$c2e7f, $c4c96, $cbe53, $c03a0, $ced2e];
+const $c23e9 = new Map([["shape", $c2e7f], ["width", $c4c96], ["height", $cbe53], ["stiffening", $c03a0], ["contact_fraction", $ced2e]]);
+const $c52db = $made(tables$Table, $cc03e, [Block, $cc4be, $c23e9]);
+const $c29e5 = $made(Entry, $cc442, ["block", $c52db, false, "", "", "block", ""]);
+const $c7180 = $made(Limit, $cf70d, ["wear_coefficient", 0.0, 1.0, false, false]);
+const $c4bc9 = $made(Quantity, $cd20a, ["wear_coefficient", $c7180]);
+const $c2d43 = $made(Entry, $cc442, ["wear_coefficient", $c4bc9, false, "", "", "wear_coefficient", ""]);
+const $c36e6 = $made(Limit, $cf70d, ["number", 0.0, 1.0, false, false]);
+const $c3592 = $made(Quantity, $cd20a, ["number", $c36e6]);
+const $c3692 = $made(Entry, $cc442, ["belt_energy_share", $c3592, false, "", "", "belt_energy_share", ""]);
+const $c95d2 = $made(Limit, $cf70d, ["pressure", 0.0, Infinity, true, false]);
+const $cd501 = $made(Quantity, $cd20a, ["pressure", $c95d2]);
+const $c1d96 = $made(Entry, $cc442, ["bond_strength", $cd501, false, "", "", "bond_strength", ""]);
+const $cc04b = $made(Limit, $cf70d, ["pressure", 0.0, Infinity, true, false]);
+const $c060b = $made(Quantity, $cd20a, ["pressure", $cc04b]);
+const $c9f8f = $made(Entry, $cc442, ["fatigue_limit", $c060b, false, "", "", "fatigue_limit", ""]);
+const $c78fc = $made(Limit, $cf70d, ["number", 0.0, Infinity, false, false]);
+const $c07b0 = $made(Quantity, $cd20a, ["number", $c78fc]);
+const $cfb57 = $made(Entry, $cc442, ["material", $c07b0, true, "", "", "material", ""]);
+const $c92d0 = $made(Limit, $cf70d, ["number", 0.0, Infinity, false, false]);
+const $c1a79 = $made(Quantity, $cd20a, ["number", $c92d0]);
+const $c0d77 = $made(Entry, $cc442, ["installation", $c1a79, true, "", "", "installation", ""]);
+const $c4a29 = $made(Name, $c4a10, [12]);
+const $c236d = $made(Entry, $cc442, ["currency", $c4a29, true, "", "", "currency", ""]);
+const $c0c54 = $made(Limit, $cf70d, ["area", 0.0, Infinity, true, false]);
+const $cb8121 = $made(Quantity, $cd20a, ["area", $c0c54]);
+const $c6221 = $made(Entry, $cc442, ["area", $cb8121, true, "", "", "area", ""]);
+const $c72ba = $made(Quantity, $cd20a, ["number", null]);
+const $c8efb = $made(Rows, $ce552, [$c72ba, 2, 2]);
+const $cf24b = $made(Entry, $cc442, ["life_years", $c8efb, true, "", "", "life_years", ""]);
+const $cf727 = [$cfb57, $c0d77, $c236d, $c6221, $cf24b];
+const $c845c = new Map([["material", $cfb57], ["installation", $c0d77], ["currency", $c236d], ["area", $c6221], ["life_years", $cf24b]]);
+const $c5864 = $made(tables$Table, $cc03e, [Cost, $cf727, $c845c]);
+const $c03097 = $made(Entry, $cc442, ["cost", $c5864, false, "", "", "cost", ""]);
+const $c540e = $made(Limit, $cf70d, ["speed", 0.0, Infinity, true, false]);
+const $c0a1c = $made(Quantity, $cd20a, ["speed", $c540e]);
+const $c2480 = $made(Entry, $cc442, ["slip_speed", $c0a1c, false, "", "", "slip_speed", ""]);
+const $cc611 = $made(Limit, $cf70d, ["temperature", 0.0, Infinity, false, false]);
+const $c68a4 = $made(Quantity, $cd20a, ["temperature", $cc611]);
+const $c2fb3 = $made(Entry, $cc442, ["temperature", $c68a4, false, "", "", "temperature", ""]);
+const $c82d0 = $made(Name, $c4a10, [60]);
+const $cf002 = $made(Entry, $cc442, ["condition", $c82d0, true, "", "", "condition", ""]);
+const $cf35d = $made(Limit, $cf70d, ["number", 0.0, 10.0, true, false]);
+const $cbaec = $made(Quantity, $cd20a, ["number", $cf35d]);
+const $c1304 = $made(Entry, $cc442, ["factor", $cbaec, true, "", "", "factor", ""]);
+const $c60f2 = $made(Entry, $cc442, ["provenance", $cc542, true, "", "", "provenance", ""]);
+const $c6e0e = [$cf002, $c1304, $c60f2];
+const $c4d20 = new Map([["condition", $cf002], ["factor", $c1304], ["provenance", $c60f2]]);
+const $c49a9 = $made(tables$Table, $cc03e, [ConditionFactor, $c6e0e, $c4d20]);
+const $c611f = $made(Rows, $ce552, [$c49a9, 0, 20]);
+const $c7315 = $made(Entry, $cc442, ["condition_factor", $c611f, false, "", "", "condition_factor", ""]);
+const $c3ebe = ["tag", "tables"];
+const $c94b3 = ["integral-log"];
+const $c646a = $made(Choice, $ca793, [$c94b3]);
+const $c813f = $made(Entry, $cc442, ["kind", $c646a, true, "", "", "kind", ""]);
+const $c3f7f = $made(Name, $c4a10, [60]);
+const $cb8a8 = $made(Entry, $cc442, ["condition", $c3f7f, false, "", "", "condition", ""]);
+const $cd10e = $made(Entry, $cc442, ["provenance", $cc542, false, "", "", "provenance", ""]);
+const $cca84 = $made(Entry, $cc442, ["condition_source", $cc542, false, "", "", "condition_source", ""]);
+const $cbdba = $made(Name, $c4a10, [120]);
+const $c6426 = $made(Rows, $ce552, [$cbdba, 1, 1000]);
+const $c2c4e = $made(Entry, $cc442, ["parameters", $c6426, true, "", "", "parameters", ""]);
+const $c8780 = $made(Rows, $ce552, [$c72ba, 1, 1000]);
+const $c13d7 = $made(Entry, $cc442, ["values", $c8780, true, "", "", "values", ""]);
+const $c063f = $made(Rows, $ce552, [$c72ba, 1, 1000]);
+const $c63caa = $made(Rows, $ce552, [$c063f, 1, 1000]);
+const $c6869 = $made(Entry, $cc442, ["covariance", $c63caa, true, "", "", "covariance", ""]);
+const $ca894 = $made(Limit, $cf70d, ["number", 0.0, Infinity, false, false]);
+const $c378e = $made(Quantity, $cd20a, ["number", $ca894]);
+const $c1e1b = $made(Entry, $cc442, ["residual_noise", $c378e, false, "", "", "residual_noise", ""]);
+const $c9431 = $made(Limit, $cf70d, ["number", 1.0, Infinity, false, false]);
+const $c6d9f = $made(Quantity, $cd20a, ["number", $c9431]);
+const $c7724 = $made(Entry, $cc442, ["coverage_factor", $c6d9f, false, "", "", "coverage_factor", ""]);
+const $c6745c = $made(Text, $ceae0, [60, false]);
+const $c3ee7 = $made(Entry, $cc442, ["date", $c6745c, false, "", "", "date", ""]);
+const $ce0c1 = $made(Text, $ceae0, [500, false]);
+const $c838d = $made(Entry, $cc442, ["method", $ce0c1, false, "", "", "method", ""]);
+const $c4d9f = $made(Text, $ceae0, [2000, true]);
+const $cf44f = $made(Rows, $ce552, [$c4d9f, 0, 50]);
+const $c7094 = $made(Entry, $cc442, ["misfit", $cf44f, false, "", "", "misfit", ""]);
+const $ca33f = $made(Text, $ceae0, [500, false]);
+const $ccb4a = $made(Entry, $cc442, ["misfit_accepted", $ca33f, false, "", "", "misfit_accepted", ""]);
+const $ca3d7 = [$c2c4e, $c13d7, $c6869, $c1e1b, $c7724, $c3ee7, $c838d, $c7094, $ccb4a];
+const $c2f5db = new Map([["parameters", $c2c4e], ["values", $c13d7], ["covariance", $c6869], ["residual_noise", $c1e1b], ["coverage_factor", $c7724], ["date", $c3ee7], ["method", $c838d], ["misfit", $c7094], ["misfit_accepted", $ccb4a]]);
+const $cb4b3 = $made(tables$Table, $cc03e, [Fit, $ca3d7, $c2f5db]);
+const $c1057 = $made(Entry, $cc442, ["fit", $cb4b3, false, "", "", "fit", ""]);
+const $cc344 = ["lagging shear", "cover shear"];
+const $cdd6d = $made(Choice, $ca793, [$cc344]);
+const $c5f64 = $made(Rows, $ce552, [$cdd6d, 0, 2]);
+const $caa9e = $made(Entry, $cc442, ["slip_includes", $c5f64, false, "", "", "slip_includes", ""]);
+const $c7d5b = $made(Limit, $cf70d, ["speed", 0.0, Infinity, true, false]);
+const $ccdd5 = $made(Quantity, $cd20a, ["speed", $c7d5b]);
+const $cd8f1 = $made(Rows, $ce552, [$ccdd5, 2, 100]);
+const $cc71d = $made(Entry, $cc442, ["slip_speed", $cd8f1, true, "", "", "at", ""]);
+const $cdb49 = $made(Rows, $ce552, [$cbaec, 2, 100]);
+const $c268e = $made(Entry, $cc442, ["factor", $cdb49, true, "", "", "factor", ""]);
+const $cb8ef = [$cc71d, $c268e, $c60f2];
+const $c6635 = new Map([["slip_speed", $cc71d], ["factor", $c268e], ["provenance", $c60f2]]);
+const $cd525 = $made(tables$Table, $cc03e, [FrictionFactor, $cb8ef, $c6635]);
+const $cb813 = $made(Entry, $cc442, ["slip_speed_factor", $cd525, false, "", "", "slip_speed_factor", ""]);
+const $ce079 = $made(Limit, $cf70d, ["temperature", 0.0, Infinity, false, false]);
+const $cde95 = $made(Quantity, $cd20a, ["temperature", $ce079]);
+const $c4703 = $made(Rows, $ce552, [$cde95, 2, 100]);
+const $c9fc6 = $made(Entry, $cc442, ["temperature", $c4703, true, "", "", "at", ""]);
+const $c5e32 = [$c9fc6, $c268e, $c60f2];
+const $ca296 = new Map([["temperature", $c9fc6], ["factor", $c268e], ["provenance", $c60f2]]);
+const $c50d3 = $made(tables$Table, $cc03e, [FrictionFactor, $c5e32, $ca296]);
+const $c0aa1 = $made(Entry, $cc442, ["temperature_factor", $c50d3, false, "", "", "temperature_factor", ""]);
+const $cfb99 = $made(Entry, $cc442, ["notes", $cf44f, false, "", "", "notes", ""]);
+const $c81ea = $made(Limit, $cf70d, ["pressure", 0.0, 1000000000.0, true, false]);
+const $c39ba = $made(Quantity, $cd20a, ["pressure", $c81ea]);
+const $cd05d = $made(Rows, $ce552, [$c39ba, 2, 2]);
+const $c9fcf = $made(Entry, $cc442, ["tested_pressure", $cd05d, false, "", "", "tested_pressure", ""]);
+const $cb43d = $made(Limit, $cf70d, ["length", 0.0, 1.0, true, false]);
+const $cbb5d = $made(Quantity, $cd20a, ["length", $cb43d]);
+const $c160f = $made(Entry, $cc442, ["tested_slip", $cbb5d, false, "", "", "tested_slip", ""]);
+const $cd745 = $made(Limit, $cf70d, ["speed", 0.0, Infinity, true, false]);
+const $ce244 = $made(Quantity, $cd20a, ["speed", $cd745]);
+const $cb799 = $made(Entry, $cc442, ["tested_slip_speed", $ce244, false, "", "", "tested_slip_speed", ""]);
+const $cc15e = $made(Entry, $cc442, ["pressure", $c39ba, true, "", "", "pressure", ""]);
+const $cf28f = $made(Limit, $cf70d, ["number", 0.0, 5.0, true, false]);
+const $c47dc = $made(Quantity, $cd20a, ["number", $cf28f]);
+const $c3799 = $made(Entry, $cc442, ["peak_friction", $c47dc, true, "", "", "peak_friction", ""]);
+const $c003d = $made(Entry, $cc442, ["peak_slip", $cbb5d, true, "", "", "peak_slip", ""]);
+const $c4aed = $made(Limit, $cf70d, ["per_length", -1000000.0, 0.0, false, false]);
+const $cdc43 = $made(Quantity, $cd20a, ["per_length", $c4aed]);
+const $c6a06 = $made(Entry, $cc442, ["post_peak_slope", $cdc43, false, "", "", "post_peak_slope", ""]);
+const $c7cb0 = $made(Entry, $cc442, ["residual_friction", $c47dc, false, "", "", "residual_friction", ""]);
+const $c276a = [$cc15e, $c3799, $c003d, $c6a06, $c7cb0];
+const $cda66 = new Map([["pressure", $cc15e], ["peak_friction", $c3799], ["peak_slip", $c003d], ["post_peak_slope", $c6a06], ["residual_friction", $c7cb0]]);
+const $c641b = $made(tables$Table, $cc03e, [null, $c276a, $cda66]);
+const $c551d = $made(Rows, $ce552, [$c641b, 1, 200]);
+const $c94d6 = $made(Entry, $cc442, ["knots", $c551d, false, "", "", "knots", ""]);
+const $cd02a = $made(Entry, $cc442, ["from", $c39ba, true, "", "", "from", ""]);
+const $c4859 = $made(Entry, $cc442, ["to", $c39ba, true, "", "", "to", ""]);
+const $cd4c0 = $made(Text, $ceae0, [300, false]);
+const $c5430 = $made(Entry, $cc442, ["A", $cd4c0, true, "", "", "A", ""]);
+const $cb307 = $made(Entry, $cc442, ["b", $cd4c0, true, "", "", "b", ""]);
+const $cb294 = $made(Entry, $cc442, ["post_peak_slope", $cd4c0, false, "", "", "post_peak_slope", ""]);
+const $cc1d4 = $made(Entry, $cc442, ["residual_friction", $cd4c0, false, "", "", "residual_friction", ""]);
+const $c06b0 = [$cd02a, $c4859, $c5430, $cb307, $cb294, $cc1d4];
+const $cff11 = new Map([["from", $cd02a], ["to", $c4859], ["A", $c5430], ["b", $cb307], ["post_peak_slope", $cb294], ["residual_friction", $cc1d4]]);
+const $c6745 = $made(tables$Table, $cc03e, [null, $c06b0, $cff11]);
+const $cf9cc2 = $made(Rows, $ce552, [$c6745, 1, 50]);
+const $c85eb = $made(Entry, $cc442, ["pieces", $cf9cc2, false, "", "", "pieces", ""]);
+const $c5bec = $made(Text, $ceae0, [20, false]);
+const $cea5d = $made(Entry, $cc442, ["slip_unit", $c5bec, false, "", "", "slip_unit", ""]);
+const $ce3fa = $made(Text, $ceae0, [20, false]);
+const $cc488 = $made(Entry, $cc442, ["pressure_unit", $ce3fa, false, "", "", "pressure_unit", ""]);
+const $ccc84 = $made(Limit, $cf70d, ["number", 0.0, 0.5, false, false]);
+const $c2620 = $made(Quantity, $cd20a, ["number", $ccc84]);
+const $cb6ac = $made(Entry, $cc442, ["continuity", $c2620, false, "", "", "continuity", ""]);
+const $cde4e = [$c813f, $cb8a8, $cd10e, $cca84, $c1057, $caa9e, $cb813, $c0aa1, $cfb99, $c9fcf, $c160f, $cb799, $c94d6, $c85eb, $cea5d, $cc488, $cb6ac];
+const $c3ac0 = new Map([["kind", $c813f], ["condition", $cb8a8], ["provenance", $cd10e], ["condition_source", $cca84], ["fit", $c1057], ["slip_includes", $caa9e], ["slip_speed_factor", $cb813], ["temperature_factor", $c0aa1], ["notes", $cfb99], ["tested_pressure", $c9fcf], ["tested_slip", $c160f], ["tested_slip_speed", $cb799], ["knots", $c94d6], ["pieces", $c85eb], ["slip_unit", $cea5d], ["pressure_unit", $cc488], ["continuity", $cb6ac]]);
+const $c5f9b = $made(tables$Table, $cc03e, [IntegralLog, $cde4e, $c3ac0]);
+const $cc85b = ["constant"];
+const $ca100 = $made(Choice, $ca793, [$cc85b]);
+const $c4ce1 = $made(Entry, $cc442, ["kind", $ca100, true, "", "", "kind", ""]);
+const $c1993 = $made(Entry, $cc442, ["friction", $c47dc, true, "", "", "friction_coefficient", ""]);
+const $c0a43 = [$c4ce1, $cb8a8, $cd10e, $cca84, $c1057, $caa9e, $cb813, $c0aa1, $cfb99, $c9fcf, $c160f, $cb799, $c1993];
+const $c6433 = new Map([["kind", $c4ce1], ["condition", $cb8a8], ["provenance", $cd10e], ["condition_source", $cca84], ["fit", $c1057], ["slip_includes", $caa9e], ["slip_speed_factor", $cb813], ["temperature_factor", $c0aa1], ["notes", $cfb99], ["tested_pressure", $c9fcf], ["tested_slip", $c160f], ["tested_slip_speed", $cb799], ["friction", $c1993]]);
+const $cacce = $made(tables$Table, $cc03e, [Constant, $c0a43, $c6433]);
+const $c152d = ["elastic-plastic"];
+const $c49c9 = $made(Choice, $ca793, [$c152d]);
+const $c84cb = $made(Entry, $cc442, ["kind", $c49c9, true, "", "", "kind", ""]);
+const $c5ab6 = $made(Limit, $cf70d, ["pressure_per_length", 0.0, 1000000000000000.0, true, false]);
+const $cdc00 = $made(Quantity, $cd20a, ["pressure_per_length", $c5ab6]);
+const $c8647 = $made(Entry, $cc442, ["stiffness", $cdc00, true, "", "", "stiffness", ""]);
+const $c797c = [$c84cb, $cb8a8, $cd10e, $cca84, $c1057, $caa9e, $cb813, $c0aa1, $cfb99, $c9fcf, $c160f, $cb799, $c8647, $c1993];
+const $c1e9d = new Map([["kind", $c84cb], ["condition", $cb8a8], ["provenance", $cd10e], ["condition_source", $cca84], ["fit", $c1057], ["slip_includes", $caa9e], ["slip_speed_factor", $cb813], ["temperature_factor", $c0aa1], ["notes", $cfb99], ["tested_pressure", $c9fcf], ["tested_slip", $c160f], ["tested_slip_speed", $cb799], ["stiffness", $c8647], ["friction", $c1993]]);
+const $c13aa = $made(tables$Table, $cc03e, [ElasticPlastic, $c797c, $c1e9d]);
+const $c5b99 = ["power"];
+const $c16e4 = $made(Choice, $ca793, [$c5b99]);
+const $ca02c = $made(Entry, $cc442, ["kind", $c16e4, true, "", "", "kind", ""]);
+const $c79e4 = $made(Entry, $cc442, ["friction", $c47dc, true, "", "", "friction_coefficient", ""]);
+const $c8dc8 = $made(Entry, $cc442, ["reference_pressure", $c39ba, true, "", "", "reference_pressure", ""]);
+const $c41b9 = $made(Entry, $cc442, ["exponent", $c72ba, true, "", "", "exponent", ""]);
+const $cc0a4 = [$ca02c, $cb8a8, $cd10e, $cca84, $c1057, $caa9e, $cb813, $c0aa1, $cfb99, $c9fcf, $c160f, $cb799, $c79e4, $c8dc8, $c41b9];
+const $ca42f = new Map([["kind", $ca02c], ["condition", $cb8a8], ["provenance", $cd10e], ["condition_source", $cca84], ["fit", $c1057], ["slip_includes", $caa9e], ["slip_speed_factor", $cb813], ["temperature_factor", $c0aa1], ["notes", $cfb99], ["tested_pressure", $c9fcf], ["tested_slip", $c160f], ["tested_slip_speed", $cb799], ["friction", $c79e4], ["reference_pressure", $c8dc8], ["exponent", $c41b9]]);
+const $ce558 = $made(tables$Table, $cc03e, [PressurePower, $cc0a4, $ca42f]);
+const $cb4ec = ["table"];
+const $cdb18 = $made(Choice, $ca793, [$cb4ec]);
+const $ce458 = $made(Entry, $cc442, ["kind", $cdb18, true, "", "", "kind", ""]);
+const $cd2e1 = $made(Limit, $cf70d, ["length", 0.0, 1.0, false, false]);
+const $c9271 = $made(Quantity, $cd20a, ["length", $cd2e1]);
+const $cb559 = $made(Rows, $ce552, [$c9271, 2, 1000]);
+const $cb2cd = $made(Entry, $cc442, ["slip", $cb559, true, "", "slip = [\"0 mm\", \"2 mm\", \"10 mm\"]", "slip", ""]);
+const $c9a39 = $made(Entry, $cc442, ["pressure", $c39ba, true, "", "", "pressure", ""]);
+const $c1440 = $made(Limit, $cf70d, ["number", 0.0, 5.0, false, false]);
+const $c819c = $made(Quantity, $cd20a, ["number", $c1440]);
+const $cbcda = $made(Rows, $ce552, [$c819c, 2, 1000]);
+const $cae06 = $made(Entry, $cc442, ["friction", $cbcda, true, "", "", "values", ""]);
+const $ca57a = [$c9a39, $cae06];
+const $c6913 = new Map([["pressure", $c9a39], ["friction", $cae06]]);
+const $cc58e = $made(tables$Table, $cc03e, [null, $ca57a, $c6913]);
+const $cf471 = $made(Rows, $ce552, [$cc58e, 1, 200]);
+const $c63ba = $made(Entry, $cc442, ["rows", $cf471, true, "", "rows = [{ pressure = \"100 kPa\", friction = [0.0, 0.4, 0.5] }], a friction for each slip", "rows", ""]);
+const $c64e9 = [$ce458, $cb8a8, $cd10e, $cca84, $c1057, $caa9e, $cb813, $c0aa1, $cfb99, $cb2cd, $c63ba];
+const $c1a55 = new Map([["kind", $ce458], ["condition", $cb8a8], ["provenance", $cd10e], ["condition_source", $cca84], ["fit", $c1057], ["slip_includes", $caa9e], ["slip_speed_factor", $cb813], ["temperature_factor", $c0aa1], ["notes", $cfb99], ["slip", $cb2cd], ["rows", $c63ba]]);
+const $c4e17 = $made(tables$Table, $cc03e, [MeasuredTable, $c64e9, $c1a55]);
+const $c6696 = new Map([["integral-log", $c5f9b], ["constant", $cacce], ["elastic-plastic", $c13aa], ["power", $ce558], ["table", $c4e17]]);
+const $c4eae = $made(Variant, $c3ebe, ["kind", $c6696]);
+const $c2815 = $made(OneOrMore, $cf6b7, [$c4eae, 50]);
+const $c8818 = $made(Entry, $cc442, ["law", $c2815, false, "", "", "law", ""]);
+const $c0a9d = $made(Entry, $cc442, ["notes", $cf44f, false, "", "", "notes", ""]);
+const $c82fd = [$cfab4, $c7e8f, $cd66f, $cc3a1, $c5462, $ca06f, $c99bb, $c3ae4, $c3f7b, $c29e5, $c2d43, $c3692, $c1d96, $c9f8f, $c03097, $c2480, $c2fb3, $c7315, $c8818, $c69c3, $c9b00, $c0a9d];
+const $c854f = new Map([["preset", $cfab4], ["name", $c7e8f], ["title", $cd66f], ["description", $cc3a1], ["surface", $c5462], ["thickness", $ca06f], ["elastic_modulus", $c99bb], ["shear_modulus", $c3ae4], ["compression_modulus", $c3f7b], ["block", $c29e5], ["wear_coefficient", $c2d43], ["belt_energy_share", $c3692], ["bond_strength", $c1d96], ["fatigue_limit", $c9f8f], ["cost", $c03097], ["slip_speed", $c2480], ["temperature", $c2fb3], ["condition_factor", $c7315], ["law", $c8818], ["provenance", $c69c3], ["sources", $c9b00], ["notes", $c0a9d]]);
+const $c74dd = $made(tables$Table, $cc03e, [Lagging, $c82fd, $c854f]);
+const $c213c = $made(TextOr, $cea31, [$c0ecb, $c74dd]);
+const $c29a1 = $made(Entry, $cc442, ["lagging", $c213c, true, "", "lagging = \"diamond-rubber\"", "lagging", ""]);
+const $c4ee1 = $made(Entry, $cc442, ["condition", $c6e45, false, "", "", "condition", ""]);
+const $cb6cf = $made(Limit, $cf70d, ["force", 0.1, 1000000000.0, false, false]);
+const $c0765 = $made(Quantity, $cd20a, ["force", $cb6cf]);
+const $c65de = $made(Entry, $cc442, ["entry_tension", $c0765, false, "", "", "entry_tension", ""]);
+const $c5335 = $made(Entry, $cc442, ["exit_tension", $c0765, false, "", "", "exit_tension", ""]);
+const $c649b = $made(Quantity, $cd20a, ["force", null]);
+const $c66ac = $made(Entry, $cc442, ["effective_tension", $c649b, false, "", "", "effective_tension", ""]);
+const $c60ad = $made(Quantity, $cd20a, ["torque", null]);
+const $c6209 = $made(Entry, $cc442, ["torque", $c60ad, false, "", "", "torque", ""]);
+const $cf058 = $made(Quantity, $cd20a, ["power", null]);
+const $c012a = $made(Entry, $cc442, ["power", $cf058, false, "", "", "power", ""]);
+const $cd18d = $made(Limit, $cf70d, ["length", -1.0, 1.0, false, false]);
+const $c4158 = $made(Quantity, $cd20a, ["length", $cd18d]);
+const $c7b22 = $made(WordOr, $c6a10, ["formula", $c4158, null]);
+const $c2929 = $made(Entry, $cc442, ["overrun", $c7b22, false, "", "", "overrun", ""]);
+const $c35bd = $made(Flag, [], []);
+const $cd03d = $made(Entry, $cc442, ["recovery", $c35bd, false, "", "", "recovery", ""]);
+const $c51e2 = $made(Quantity, $cd20a, ["length", $c2680]);
+const $c2278 = $made(Entry, $cc442, ["creep_limit", $c51e2, false, "", "", "creep_limit", ""]);
+const $ca867 = ["pulley", "carry"];
+const $cbced = $made(Choice, $ca793, [$ca867]);
+const $ce358 = $made(Entry, $cc442, ["side", $cbced, false, "", "", "side", ""]);
+const $c7194 = $made(Limit, $cf70d, ["mass", 0.0, 1000000.0, true, false]);
+const $c66cf = $made(Quantity, $cd20a, ["mass", $c7194]);
+const $cb6e8 = $made(Entry, $cc442, ["mass", $c66cf, false, "", "", "mass", ""]);
+const $c6a45 = ["dimension", "diameters", "rows", "within"];
+const $cf6b1 = ["kinds"];
+const $ce931 = $made(Quantity, $cd20a, ["length", null]);
+const $c772b = $made(Quantity, $cd20a, ["length", null]);
+const $cc4bd = [$ce931, $c772b];
+const $ce3dd = $made(_Pair, $cf6b1, [$cc4bd]);
+const $c5e17 = $made(Rows, $ce552, [$ce3dd, 0, 500]);
+const $cb6ae = $made(Entry, $cc442, ["rows", $c5e17, false, "", "", "rows", ""]);
+const $ca825 = $made(Quantity, $cd20a, ["length", null]);
+const $ce7bc = $made(Entry, $cc442, ["crown", $ca825, false, "", "", "crown", ""]);
+const $c9d79 = $made(Limit, $cf70d, ["number", 0.0, 100.0, false, false]);
+const $c9db6 = $made(Quantity, $cd20a, ["number", $c9d79]);
+const $ca868 = $made(Entry, $cc442, ["factor", $c9db6, false, "", "", "factor", ""]);
+const $cd362 = $made(Limit, $cf70d, ["length", 0.0, Infinity, false, false]);
+const $cc52b = $made(Quantity, $cd20a, ["length", $cd362]);
+const $c3c8f = $made(Entry, $cc442, ["uncertainty", $cc52b, false, "", "", "uncertainty", ""]);
+const $c79e1 = ["radius", "diameter"];
+const $c36d5 = $made(Choice, $ca793, [$c79e1]);
+const $c043c = $made(Entry, $cc442, ["on", $c36d5, false, "", "", "on", ""]);
+const $c575e = [$cb6ae, $ce7bc, $ca868, $c3c8f, $c043c];
+const $cd5be = new Map([["rows", $cb6ae], ["crown", $ce7bc], ["factor", $ca868], ["uncertainty", $c3c8f], ["on", $c043c]]);
+const $c1a37 = $made(tables$Table, $cc03e, [null, $c575e, $cd5be]);
+const $c670b = $made(TextOr, $cea31, [$c5e17, $c1a37]);
+const $c7d98 = $made(Profile, $c6a45, ["length", true, $c5e17, $c670b]);
+const $c4834 = $made(Entry, $cc442, ["shell_profile", $c7d98, false, "", "", "shell_profile", ""]);
+const $c6efc = $made(Quantity, $cd20a, ["length", null]);
+const $ca463 = $made(Quantity, $cd20a, ["length", null]);
+const $c7fa6 = [$c6efc, $ca463];
+const $cc4de = $made(_Pair, $cf6b1, [$c7fa6]);
+const $c0746 = $made(Rows, $ce552, [$cc4de, 0, 500]);
+const $cdfa3 = $made(Entry, $cc442, ["rows", $c0746, false, "", "", "rows", ""]);
+const $c1b8c = $made(Quantity, $cd20a, ["length", null]);
+const $ca6dd = $made(Entry, $cc442, ["crown", $c1b8c, false, "", "", "crown", ""]);
+const $c0816 = $made(Limit, $cf70d, ["number", 0.0, 100.0, false, false]);
+const $c4df7 = $made(Quantity, $cd20a, ["number", $c0816]);
+const $c0749 = $made(Entry, $cc442, ["factor", $c4df7, false, "", "", "factor", ""]);
+const $c3e3d = $made(Limit, $cf70d, ["length", 0.0, Infinity, false, false]);
+const $c7af9 = $made(Quantity, $cd20a, ["length", $c3e3d]);
+const $c52ae = $made(Entry, $cc442, ["uncertainty", $c7af9, false, "", "", "uncertainty", ""]);
+const $c7e9f = $made(Choice, $ca793, [$c79e1]);
+const $cce85 = $made(Entry, $cc442, ["on", $c7e9f, false, "", "", "on", ""]);
+const $c1516 = [$cdfa3, $ca6dd, $c0749, $c52ae, $cce85];
+const $c5d84 = new Map([["rows", $cdfa3], ["crown", $ca6dd], ["factor", $c0749], ["uncertainty", $c52ae], ["on", $cce85]]);
+const $cc9ad = $made(tables$Table, $cc03e, [null, $c1516, $c5d84]);
+const $c7ff2 = $made(TextOr, $cea31, [$c0746, $cc9ad]);
+const $c57d1 = $made(Profile, $c6a45, ["length", true, $c0746, $c7ff2]);
+const $cb05f = $made(Entry, $cc442, ["worn_depth", $c57d1, false, "", "", "worn_depth", ""]);
+const $c3154 = $made(Quantity, $cd20a, ["length", null]);
+const $c25f6 = $made(Quantity, $cd20a, ["length", null]);
+const $cacef = [$c3154, $c25f6];
+const $c0ec0 = $made(_Pair, $cf6b1, [$cacef]);
+const $cd0f7 = $made(Rows, $ce552, [$c0ec0, 0, 500]);
+const $cfc97 = $made(Entry, $cc442, ["rows", $cd0f7, false, "", "", "rows", ""]);
+const $c175f = $made(Quantity, $cd20a, ["length", null]);
+const $c21c2 = $made(Entry, $cc442, ["crown", $c175f, false, "", "", "crown", ""]);
+const $cea3c = $made(Limit, $cf70d, ["number", 0.0, 100.0, false, false]);
+const $cf93e = $made(Quantity, $cd20a, ["number", $cea3c]);
+const $c8e0b = $made(Entry, $cc442, ["factor", $cf93e, false, "", "", "factor", ""]);
+const $c6219 = $made(Limit, $cf70d, ["length", 0.0, Infinity, false, false]);
+const $c3b46 = $made(Quantity, $cd20a, ["length", $c6219]);
+const $c7ba1 = $made(Entry, $cc442, ["uncertainty", $c3b46, false, "", "", "uncertainty", ""]);
+const $ca143 = $made(Choice, $ca793, [$c79e1]);
+const $c438a = $made(Entry, $cc442, ["on", $ca143, false, "", "", "on", ""]);
+const $c4ced = [$cfc97, $c21c2, $c8e0b, $c7ba1, $c438a];
+const $c80c4 = new Map([["rows", $cfc97], ["crown", $c21c2], ["factor", $c8e0b], ["uncertainty", $c7ba1], ["on", $c438a]]);
+const $cadee = $made(tables$Table, $cc03e, [null, $c4ced, $c80c4]);
+const $ca6a5 = $made(TextOr, $cea31, [$cd0f7, $cadee]);
+const $ce754 = $made(Profile, $c6a45, ["length", true, $cd0f7, $ca6a5]);
+const $ca521 = $made(Entry, $cc442, ["build_up", $ce754, false, "", "", "build_up", ""]);
+const $cbde1 = $made(Limit, $cf70d, ["number", -0.1, 0.1, false, false]);
+const $c9055 = $made(Quantity, $cd20a, ["number", $cbde1]);
+const $ca5e0 = $made(Entry, $cc442, ["misalignment", $c9055, false, "", "", "misalignment", ""]);
+const $c94dd = $made(Limit, $cf70d, ["length", -0.1, 0.1, false, false]);
+const $c162e = $made(Quantity, $cd20a, ["length", $c94dd]);
+const $c2af9 = $made(Entry, $cc442, ["deflection", $c162e, false, "", "", "deflection", ""]);
+const $ce004 = $made(Quantity, $cd20a, ["length", null]);
+const $c9718 = $made(Quantity, $cd20a, ["force_per_width", null]);
+const $cad01 = [$ce004, $c9718];
+const $cdfd7 = $made(_Pair, $cf6b1, [$cad01]);
+const $c0408 = $made(Rows, $ce552, [$cdfd7, 0, 500]);
+const $c9e25 = $made(Entry, $cc442, ["rows", $c0408, false, "", "", "rows", ""]);
+const $c728a = $made(Quantity, $cd20a, ["force_per_width", null]);
+const $cb2e0 = $made(Entry, $cc442, ["crown", $c728a, false, "", "", "crown", ""]);
+const $c71d8 = $made(Limit, $cf70d, ["number", 0.0, 100.0, false, false]);
+const $c31bc = $made(Quantity, $cd20a, ["number", $c71d8]);
+const $c6847 = $made(Entry, $cc442, ["factor", $c31bc, false, "", "", "factor", ""]);
+const $c4297 = $made(Limit, $cf70d, ["force_per_width", 0.0, Infinity, false, false]);
+const $cbbb6 = $made(Quantity, $cd20a, ["force_per_width", $c4297]);
+const $ced4a = $made(Entry, $cc442, ["uncertainty", $cbbb6, false, "", "", "uncertainty", ""]);
+const $cc96a = [$c9e25, $cb2e0, $c6847, $ced4a];
+const $c8e0bb = new Map([["rows", $c9e25], ["crown", $cb2e0], ["factor", $c6847], ["uncertainty", $ced4a]]);
+const $cf68a = $made(tables$Table, $cc03e, [null, $cc96a, $c8e0bb]);
+const $c1009 = $made(TextOr, $cea31, [$c0408, $cf68a]);
+const $c188d = $made(Profile, $c6a45, ["force_per_width", false, $c0408, $c1009]);
+const $c4f67 = $made(Entry, $cc442, ["entry_profile", $c188d, false, "", "", "entry_profile", ""]);
+const $ccca6 = ["pulley"];
+const $c3bba = $made(Choice, $ca793, [$ccca6]);
+const $cdfdd = $made(Entry, $cc442, ["kind", $c3bba, true, "", "", "kind", ""]);
+const $c29d2 = $made(Limit, $cf70d, ["length", 0.0, 100000.0, true, false]);
+const $cae66 = $made(Quantity, $cd20a, ["length", $c29d2]);
+const $c500d = $made(Entry, $cc442, ["distance", $cae66, true, "", "", "distance", ""]);
+const $c2f6d = [$cdfdd, $c500d];
+const $cf93c = new Map([["kind", $cdfdd], ["distance", $c500d]]);
+const $c5714 = $made(tables$Table, $cc03e, [GrippingPulley, $c2f6d, $cf93c]);
+const $cff7c = ["transition"];
+const $cc88c = $made(Choice, $ca793, [$cff7c]);
+const $c62db = $made(Entry, $cc442, ["kind", $cc88c, true, "", "", "kind", ""]);
+const $c96f8 = $made(Limit, $cf70d, ["length", 0.0, 1000.0, true, false]);
+const $c102e = $made(Quantity, $cd20a, ["length", $c96f8]);
+const $cbb25 = $made(Entry, $cc442, ["length", $c102e, true, "", "length = \"2.9 m\"", "length", ""]);
+const $cd50c = $made(Limit, $cf70d, ["angle", 0.0, 1.5707963267948966, true, false]);
+const $c6442 = $made(Quantity, $cd20a, ["angle", $cd50c]);
+const $c48bf = $made(Entry, $cc442, ["trough_angle", $c6442, true, "", "trough_angle = \"35 deg\"", "trough_angle", ""]);
+const $c3fe0 = $made(Limit, $cf70d, ["length", 0.0, 100.0, false, false]);
+const $c97a4 = $made(Quantity, $cd20a, ["length", $c3fe0]);
+const $ce362 = $made(Entry, $cc442, ["centre_roll", $c97a4, true, "", "centre_roll = \"465 mm\"", "centre_roll", ""]);
+const $c8b63 = ["full", "half"];
+const $c0db5 = $made(Choice, $ca793, [$c8b63]);
+const $c2eb3 = $made(Entry, $cc442, ["depth", $c0db5, false, "", "", "depth", ""]);
+const $c6143 = [$c62db, $cbb25, $c48bf, $ce362, $c2eb3];
+const $c7886 = new Map([["kind", $c62db], ["length", $cbb25], ["trough_angle", $c48bf], ["centre_roll", $ce362], ["depth", $c2eb3]]);
+const $c81e5 = $made(tables$Table, $cc03e, [Transition, $c6143, $c7886]);
+const $c7fda = new Map([["pulley", $c5714], ["transition", $c81e5]]);
+const $c5ba2 = $made(Variant, $c3ebe, ["kind", $c7fda]);
+const $c0177 = $made(WordOr, $c6a10, ["far", $c5ba2, null]);
+const $c62d1 = $made(Entry, $cc442, ["before", $c0177, false, "", "", "before", ""]);
+const $c4c897 = ["pulley"];
+const $c8b57 = $made(Choice, $ca793, [$c4c897]);
+const $cb41f = $made(Entry, $cc442, ["kind", $c8b57, true, "", "", "kind", ""]);
+const $c460e = [$cb41f, $c500d];
+const $c0cc5 = new Map([["kind", $cb41f], ["distance", $c500d]]);
+const $c7e5c = $made(tables$Table, $cc03e, [GrippingPulley, $c460e, $c0cc5]);
+const $caabd = new Map([["pulley", $c7e5c]]);
+const $c5263 = $made(Variant, $c3ebe, ["kind", $caabd]);
+const $c6fb1 = $made(WordOr, $c6a10, ["far", $c5263, null]);
+const $cc60d = $made(Entry, $cc442, ["after", $c6fb1, false, "", "", "after", ""]);
+const $c38c6 = ["least", "most"];
+const $cec8f = $made(Count, $c38c6, [4, 128]);
+const $c1b7e = $made(Entry, $cc442, ["strips", $cec8f, false, "", "", "strips", ""]);
+const $cb035 = [$c4834, $cb05f, $ca521, $ca5e0, $c2af9, $c4f67, $c62d1, $cc60d, $c1b7e];
+const $c0207 = new Map([["shell_profile", $c4834], ["worn_depth", $cb05f], ["build_up", $ca521], ["misalignment", $ca5e0], ["deflection", $c2af9], ["entry_profile", $c4f67], ["before", $c62d1], ["after", $cc60d], ["strips", $c1b7e]]);
+const $c7a37 = $made(tables$Table, $cc03e, [Across, $cb035, $c0207]);
+const $c152a = $made(Entry, $cc442, ["across", $c7a37, false, "", "", "across", ""]);
+const $ce5d6 = $made(ByName, $cf6b7, [$cc542, 200]);
+const $c480f = $made(Entry, $cc442, ["sources", $ce5d6, false, "", "", "sources", ""]);
+const $c06ce = [$c0948, $c75c1, $ce003, $c65eb, $c29a1, $c4ee1, $c65de, $c5335, $c66ac, $c6209, $c012a, $c2929, $cd03d, $c2278, $ce358, $cb6e8, $c152a, $c480f];
+const $c2aac = new Map([["name", $c0948], ["diameter", $c75c1], ["wrap_angle", $ce003], ["belt_path", $c65eb], ["lagging", $c29a1], ["condition", $c4ee1], ["entry_tension", $c65de], ["exit_tension", $c5335], ["effective_tension", $c66ac], ["torque", $c6209], ["power", $c012a], ["overrun", $c2929], ["recovery", $cd03d], ["creep_limit", $c2278], ["side", $ce358], ["mass", $cb6e8], ["across", $c152a], ["sources", $c480f]]);
+const $c706c = $made(tables$Table, $cc03e, [Pulley, $c06ce, $c2aac]);
+const $cb00b = $made(Rows, $ce552, [$c706c, 1, 10]);
+const $c2dd7 = $made(Entry, $cc442, ["pulley", $cb00b, true, "", "a [[pulley]] table for each pulley", "pulley", ""]);
+const $cffc2 = $made(ByName, $cf6b7, [$c74dd, 200]);
+const $c141c = $made(Entry, $cc442, ["lagging", $cffc2, false, "", "", "lagging", ""]);
+const $cb134 = $made(Name, $c4a10, [60]);
+const $ceb06 = $made(Entry, $cc442, ["name", $cb134, true, "", "name = \"start\"", "name", ""]);
+const $c5d1d = $made(Text, $ceae0, [1000, true]);
+const $c14dd = $made(Entry, $cc442, ["description", $c5d1d, false, "", "", "description", ""]);
+const $c93f5 = ["running", "starting", "braking"];
+const $cd051 = $made(Choice, $ca793, [$c93f5]);
+const $c8d03 = $made(Entry, $cc442, ["kind", $cd051, false, "", "", "kind", ""]);
+const $cd64e = $made(Entry, $cc442, ["condition", $c6e45, false, "", "", "condition", ""]);
+const $c3230 = [$c65de, $c5335, $c66ac, $c6209, $c012a];
+const $c3c73 = new Map([["entry_tension", $c65de], ["exit_tension", $c5335], ["effective_tension", $c66ac], ["torque", $c6209], ["power", $c012a]]);
+const $c6810 = $made(tables$Table, $cc03e, [null, $c3230, $c3c73]);
+const $c732c = $made(ByName, $cf6b7, [$c6810, 200]);
+const $c7998 = $made(Entry, $cc442, ["pulley", $c732c, false, "", "", "pulley", ""]);
+const $cad0f = $made(Elsewhere, [], []);
+const $c2d88 = $made(Entry, $cc442, ["train", $cad0f, false, "", "", "train", ""]);
+const $cd494 = [$ceb06, $c14dd, $c8d03, $cd64e, $c7998, $c2d88];
+const $c6166 = new Map([["name", $ceb06], ["description", $c14dd], ["kind", $c8d03], ["condition", $cd64e], ["pulley", $c7998], ["train", $c2d88]]);
+const $c19cf = $made(tables$Table, $cc03e, [null, $cd494, $c6166]);
+const $c7e6d = $made(Rows, $ce552, [$c19cf, 1, 1000]);
+const $cf53e = $made(Entry, $cc442, ["load_case", $c7e6d, false, "", "", "load_case", ""]);
+const $c2266 = $made(Limit, $cf70d, ["length", 0.0, 100000.0, true, false]);
+const $c5634 = $made(Quantity, $cd20a, ["length", $c2266]);
+const $c0bda = $made(Entry, $cc442, ["length", $c5634, true, "", "length = \"600 m\"", "length", ""]);
+const $c82e7 = $made(Limit, $cf70d, ["length", -5000.0, 5000.0, false, false]);
+const $c7ac1 = $made(Quantity, $cd20a, ["length", $c82e7]);
+const $c8c18 = $made(Entry, $cc442, ["lift", $c7ac1, false, "", "", "lift", ""]);
+const $c54af = $made(Limit, $cf70d, ["mass_per_length", 0.0, 10000.0, true, false]);
+const $ceee3 = $made(Quantity, $cd20a, ["mass_per_length", $c54af]);
+const $c41b1 = $made(Entry, $cc442, ["belt_mass", $ceee3, true, "", "", "belt_mass", ""]);
+const $ca8cb = $made(Limit, $cf70d, ["mass_per_length", 0.0, 10000.0, false, false]);
+const $c7f93 = $made(Quantity, $cd20a, ["mass_per_length", $ca8cb]);
+const $caa61 = $made(Entry, $cc442, ["carry_idler_mass", $c7f93, true, "", "", "carry_idler_mass", ""]);
+const $c207a = $made(Limit, $cf70d, ["mass_per_length", 0.0, 10000.0, false, false]);
+const $c3b70 = $made(Quantity, $cd20a, ["mass_per_length", $c207a]);
+const $c15e4 = $made(Entry, $cc442, ["return_idler_mass", $c3b70, true, "", "", "return_idler_mass", ""]);
+const $ca059 = $made(Quantity, $cd20a, ["mass_per_length", $c54af]);
+const $c063d = $made(Entry, $cc442, ["material_mass", $ca059, false, "", "", "material_mass", ""]);
+const $ccbd2 = $made(Limit, $cf70d, ["mass_flow", 0.0, 100000.0, true, false]);
+const $cfd19 = $made(Quantity, $cd20a, ["mass_flow", $ccbd2]);
+const $cd723 = $made(Entry, $cc442, ["capacity", $cfd19, false, "", "", "capacity", ""]);
+const $c3430 = $made(Limit, $cf70d, ["number", 0.005, 0.1, false, false]);
+const $c2b56 = $made(Quantity, $cd20a, ["number", $c3430]);
+const $c0638 = $made(Entry, $cc442, ["friction_factor", $c2b56, false, "", "", "friction_factor", ""]);
+const $cec54 = $made(Limit, $cf70d, ["number", 1.0, 10.0, false, false]);
+const $c8b68 = $made(Quantity, $cd20a, ["number", $cec54]);
+const $c88c4 = $made(Entry, $cc442, ["length_coefficient", $c8b68, false, "", "", "length_coefficient", ""]);
+const $c4489 = $made(Limit, $cf70d, ["force", 0.0, 100000000.0, false, false]);
+const $c466c = $made(Quantity, $cd20a, ["force", $c4489]);
+const $c1f89 = $made(Entry, $cc442, ["secondary_resistance", $c466c, false, "", "", "secondary_resistance", ""]);
+const $c30d4 = $made(Quantity, $cd20a, ["force", $c4489]);
+const $c7f2c = $made(Entry, $cc442, ["special_resistance", $c30d4, false, "", "", "special_resistance", ""]);
+const $cb01c = $made(Limit, $cf70d, ["number", 0.0, 1.0, false, false]);
+const $c0643 = $made(Quantity, $cd20a, ["number", $cb01c]);
+const $c7693 = $made(Entry, $cc442, ["return_share", $c0643, false, "", "", "return_share", ""]);
+const $c3524 = $made(Limit, $cf70d, ["number", 1.0, 5.0, false, false]);
+const $c6975 = $made(Quantity, $cd20a, ["number", $c3524]);
+const $cb800 = $made(Entry, $cc442, ["start_factor", $c6975, false, "", "", "start_factor", ""]);
+const $c267d = $made(Limit, $cf70d, ["time", 0.0, 3600.0, true, false]);
+const $ce87d = $made(Quantity, $cd20a, ["time", $c267d]);
+const $ce950 = $made(Entry, $cc442, ["start_time", $ce87d, false, "", "", "start_time", ""]);
+const $c16ad = $made(Quantity, $cd20a, ["time", $c267d]);
+const $c88d6 = $made(Entry, $cc442, ["stop_time", $c16ad, false, "", "", "stop_time", ""]);
+const $cc768 = $made(Limit, $cf70d, ["force", 0.0, 100000000.0, true, false]);
+const $c9a6d = $made(Quantity, $cd20a, ["force", $cc768]);
+const $ca692 = $made(Entry, $cc442, ["take_up_tension", $c9a6d, false, "", "", "take_up_tension", ""]);
+const $c5869 = $made(Limit, $cf70d, ["mass", 0.0, 10000000.0, true, false]);
+const $cd9cf = $made(Quantity, $cd20a, ["mass", $c5869]);
+const $ca3dc = $made(Entry, $cc442, ["counterweight", $cd9cf, false, "", "", "counterweight", ""]);
+const $cb6bd = $made(Limit, $cf70d, ["length", 0.0, 100000.0, false, false]);
+const $c3dfe = $made(Quantity, $cd20a, ["length", $cb6bd]);
+const $c06b1 = $made(Entry, $cc442, ["take_up_distance", $c3dfe, false, "", "", "take_up_distance", ""]);
+const $c6846 = ["head", "tail"];
+const $c064b = $made(Choice, $ca793, [$c6846]);
+const $c0436 = $made(Entry, $cc442, ["drive_at", $c064b, false, "", "", "drive_at", ""]);
+const $cad59 = [$c0bda, $c8c18, $c41b1, $caa61, $c15e4, $c063d, $cd723, $c0638, $c88c4, $c1f89, $c7f2c, $c7693, $cb800, $ce950, $c88d6, $ca692, $ca3dc, $c06b1, $c0436];
+const $c2ccd = new Map([["length", $c0bda], ["lift", $c8c18], ["belt_mass", $c41b1], ["carry_idler_mass", $caa61], ["return_idler_mass", $c15e4], ["material_mass", $c063d], ["capacity", $cd723], ["friction_factor", $c0638], ["length_coefficient", $c88c4], ["secondary_resistance", $c1f89], ["special_resistance", $c7f2c], ["return_share", $c7693], ["start_factor", $cb800], ["start_time", $ce950], ["stop_time", $c88d6], ["take_up_tension", $ca692], ["counterweight", $ca3dc], ["take_up_distance", $c06b1], ["drive_at", $c0436]]);
+const $ce84a = $made(tables$Table, $cc03e, [Conveyor, $cad59, $c2ccd]);
+const $c8364 = $made(Entry, $cc442, ["conveyor", $ce84a, false, "", "", "conveyor", ""]);
+const $c9cf4 = ["gravity", "winch", "fixed"];
+const $c0ee3 = $made(Choice, $ca793, [$c9cf4]);
+const $cbe79 = $made(Entry, $cc442, ["kind", $c0ee3, false, "", "", "kind", ""]);
+const $cf433 = $made(Limit, $cf70d, ["number", 0.01, 100.0, false, false]);
+const $c9556 = $made(Quantity, $cd20a, ["number", $cf433]);
+const $c42f5 = $made(Entry, $cc442, ["sheave_ratio", $c9556, false, "", "", "sheave_ratio", ""]);
+const $c738f = $made(Name, $c4a10, [60]);
+const $c6aa5 = $made(Entry, $cc442, ["after", $c738f, false, "", "", "after", ""]);
+const $c72ee = [$cbe79, $c42f5, $c6aa5];
+const $c5fb0 = new Map([["kind", $cbe79], ["sheave_ratio", $c42f5], ["after", $c6aa5]]);
+const $c5ee3 = $made(tables$Table, $cc03e, [TakeUp, $c72ee, $c5fb0]);
+const $cdc1c = $made(Entry, $cc442, ["take_up", $c5ee3, false, "", "", "take_up", ""]);
+const $c6e6b = ["CEMA", "DIN 22101", "own", "none"];
+const $caffc = $made(Choice, $ca793, [$c6e6b]);
+const $c6984 = $made(Entry, $cc442, ["name", $caffc, false, "", "", "name", ""]);
+const $ceb6d = ["dry", "wet", "wet and dirty"];
+const $c8fd9 = $made(Choice, $ca793, [$ceb6d]);
+const $c76d6 = $made(Entry, $cc442, ["condition", $c8fd9, false, "", "", "condition", ""]);
+const $c724b = $made(Limit, $cf70d, ["number", 0.01, 2.0, false, false]);
+const $c4367 = $made(Quantity, $cd20a, ["number", $c724b]);
+const $ce53d = $made(Entry, $cc442, ["friction", $c4367, false, "", "", "friction", ""]);
+const $c83ab = $made(Limit, $cf70d, ["number", 1.0, 10.0, false, false]);
+const $cefb1 = $made(Quantity, $cd20a, ["number", $c83ab]);
+const $c8c78 = $made(Entry, $cc442, ["start_factor", $cefb1, false, "", "", "start_factor", ""]);
+const $c227f = $made(Flag, [], []);
+const $cd316 = $made(Entry, $cc442, ["binding", $c227f, false, "", "", "binding", ""]);
+const $c676e = [$c6984, $c76d6, $ce53d, $c8c78, $cd316];
+const $c701e = new Map([["name", $c6984], ["condition", $c76d6], ["friction", $ce53d], ["start_factor", $c8c78], ["binding", $cd316]]);
+const $c4fae = $made(tables$Table, $cc03e, [DesignStandard, $c676e, $c701e]);
+const $c25c2 = $made(Entry, $cc442, ["design_standard", $c4fae, false, "", "", "standard", ""]);
+const $cfb9b = $made(Quantity, $cd20a, ["number", $c83ab]);
+const $c9675 = $made(Entry, $cc442, ["running", $cfb9b, false, "", "", "running", ""]);
+const $c0f51 = $made(Quantity, $cd20a, ["number", $c83ab]);
+const $c3177 = $made(Entry, $cc442, ["starting", $c0f51, false, "", "", "starting", ""]);
+const $c0bfa = $made(Quantity, $cd20a, ["number", $c83ab]);
+const $c6f8d = $made(Entry, $cc442, ["braking", $c0bfa, false, "", "", "braking", ""]);
+const $c6acf = $made(Text, $ceae0, [500, false]);
+const $ce7fd = $made(Entry, $cc442, ["source", $c6acf, false, "", "", "source", ""]);
+const $cd086 = [$c9675, $c3177, $c6f8d, $ce7fd];
+const $c3ec2 = new Map([["running", $c9675], ["starting", $c3177], ["braking", $c6f8d], ["source", $ce7fd]]);
+const $c3715 = $made(tables$Table, $cc03e, [SafetyFactors, $cd086, $c3ec2]);
+const $cdb8f = $made(Entry, $cc442, ["safety_factor", $c3715, false, "", "", "safety", ""]);
+const $c716b = $made(Limit, $cf70d, ["length", 0.0, 100.0, true, false]);
+const $cd3e8 = $made(Quantity, $cd20a, ["length", $c716b]);
+const $c6bda = $made(Entry, $cc442, ["idler_spacing", $cd3e8, true, "", "idler_spacing = \"3 m\"", "spacing", ""]);
+const $c8e89 = $made(Limit, $cf70d, ["mass_per_length", 0.0, 10000.0, true, false]);
+const $cef54 = $made(Quantity, $cd20a, ["mass_per_length", $c8e89]);
+const $c461d = $made(Entry, $cc442, ["line_mass", $cef54, true, "", "line_mass = \"22 kg/m\"", "line_mass", ""]);
+const $c5904 = $made(Limit, $cf70d, ["number", 0.0, 0.1, true, false]);
+const $cc6ad = $made(Quantity, $cd20a, ["number", $c5904]);
+const $cfcdc = $made(Entry, $cc442, ["share", $cc6ad, false, "", "", "share", ""]);
+const $c13f7 = [$c6bda, $c461d, $cfcdc];
+const $c347d = new Map([["idler_spacing", $c6bda], ["line_mass", $c461d], ["share", $cfcdc]]);
+const $cae53 = $made(tables$Table, $cc03e, [Sag, $c13f7, $c347d]);
+const $c490f = $made(Entry, $cc442, ["sag", $cae53, false, "", "", "sag", ""]);
+const $cfb1c = $made(Elsewhere, [], []);
+const $cf4d4 = $made(Entry, $cc442, ["train", $cfb1c, false, "", "", "train", ""]);
+const $ce9c0 = $made(Elsewhere, [], []);
+const $cb32b = $made(Entry, $cc442, ["motion", $ce9c0, false, "", "", "motion", ""]);
+const $c4e7d = [$cb73a, $c34bd, $ce3f2, $cb10e, $c750b, $cfe86, $c2dd7, $c141c, $cf53e, $c8364, $cdc1c, $c25c2, $cdb8f, $c490f, $cf4d4, $cb32b];
+const $c8d19 = new Map([["format", $cb73a], ["title", $c34bd], ["description", $ce3f2], ["creep_limit", $cb10e], ["condition", $c750b], ["belt", $cfe86], ["pulley", $c2dd7], ["lagging", $c141c], ["load_case", $cf53e], ["conveyor", $c8364], ["take_up", $cdc1c], ["design_standard", $c25c2], ["safety_factor", $cdb8f], ["sag", $c490f], ["train", $cf4d4], ["motion", $cb32b]]);
+const $cca53 = $made(tables$Table, $cc03e, [Drive, $c4e7d, $c8d19]);
+const $c2628 = ["name", "kind", "modulus", "rating", "least_pulley_diameter", "carcass"];
+const $ca32a = new Map([["width", $c1da4], ["modulus", $c5a26], ["rating", $c4bc3], ["strength", $c3eaf], ["speed", $c45b0], ["momentary_factor", $cfb5f], ["least_pulley_diameter", $cbc30], ["largest_wrap_pressure", $cf3a1], ["in_plane_shear_stiffness", $cd676], ["pulley_cover", $cbe31], ["carry_cover", $ca3d0], ["carcass", $c9b33], ["thickness", $cbf1f], ["cover_shear_modulus", $c975b], ["mass", $ce1b5]]);
+const $c2d22 = ["pulley_cover", "carry_cover", "carcass"];
+const $c2f8b = $made(_Nothing, [], []);
+const $ca18b = ["x", "y", "diameter", "turn"];
+const $c2e3c = [10000, "m"];
+const $c68da = [$c2e3c];
+const $c03b4 = ["mm", $c68da];
+const $cc67d = ["kN", []];
+const $ce2c9 = ["kN/m", []];
+const $c6fe9 = [10000, "MPa"];
+const $c76c4 = [$c6fe9];
+const $c0183 = ["kPa", $c76c4];
+const $cb046 = ["kPa/mm", []];
+const $cb323f = ["m/s", []];
+const $c152b = ["deg", []];
+const $c1a85 = ["kW", []];
+const $cd5b6 = ["kN m", []];
+const $c2e60 = ["m2", []];
+const $ca9e4 = ["s", []];
+const $c4129 = ["degC", []];
+const $c48ee = ["1/mm", []];
+const $ce81f = ["mm3/J", []];
+const $c414b = ["J/m2", []];
+const $cb45a = [10000, "kW/m2"];
+const $c6402 = [$cb45a];
+const $c0650 = ["W/m2", $c6402];
+const $cad55 = ["rpm", []];
+const $c3ec9 = ["kg", []];
+const $c9e28 = ["kg/m", []];
+const $c19db = ["t/h", []];
+const $c77e7 = ["kg m2", []];
+const $c8dba = ["", []];
+const $c0579 = new Map([["length", $c03b4], ["force", $cc67d], ["force_per_width", $ce2c9], ["spring_rate", $ce2c9], ["pressure", $c0183], ["pressure_per_length", $cb046], ["speed", $cb323f], ["angle", $c152b], ["power", $c1a85], ["torque", $cd5b6], ["area", $c2e60], ["time", $ca9e4], ["temperature", $c4129], ["per_length", $c48ee], ["wear_coefficient", $ce81f], ["energy_per_area", $c414b], ["power_per_area", $c0650], ["rotation_speed", $cad55], ["mass", $c3ec9], ["mass_per_length", $c9e28], ["mass_flow", $c19db], ["moment_of_inertia", $c77e7], ["number", $c8dba]]);
+const $c3dc7 = [400, "ft"];
+const $cc9da = [$c3dc7];
+const $ce165 = ["in", $cc9da];
+const $c4fdf = ["lbf", []];
+const $c954e = ["PIW", []];
+const $c8199 = ["lbf/in", []];
+const $c715c = [10000, "ksi"];
+const $cc6d2 = [$c715c];
+const $c90b1 = ["psi", $cc6d2];
+const $c4989 = ["psi/in", []];
+const $cc6c2 = ["fpm", []];
+const $c8b51 = ["hp", []];
+const $c2254 = ["lbf ft", []];
+const $c98a4 = ["in2", []];
+const $cda43 = ["degF", []];
+const $c59e7 = ["1/in", []];
+const $ca33a = ["in3/(ft lbf)", []];
+const $c6d8d = ["ft lbf/ft2", []];
+const $c453a = ["hp/ft2", []];
+const $ce38a = ["lbm", []];
+const $c7fbf = ["lbm/ft", []];
+const $c6da4 = ["lbm/h", []];
+const $ca456 = ["lbm ft2", []];
+const $cbe21 = new Map([["length", $ce165], ["force", $c4fdf], ["force_per_width", $c954e], ["spring_rate", $c8199], ["pressure", $c90b1], ["pressure_per_length", $c4989], ["speed", $cc6c2], ["angle", $c152b], ["power", $c8b51], ["torque", $c2254], ["area", $c98a4], ["time", $ca9e4], ["temperature", $cda43], ["per_length", $c59e7], ["wear_coefficient", $ca33a], ["energy_per_area", $c6d8d], ["power_per_area", $c453a], ["rotation_speed", $cad55], ["mass", $ce38a], ["mass_per_length", $c7fbf], ["mass_flow", $c6da4], ["moment_of_inertia", $ca456], ["number", $c8dba]]);
+const $cd5a9 = new Map([["si", $c0579], ["us", $cbe21]]);
+const $c4c89 = new DimensionText("m", "a length", "1200 mm");
+const $cb7f2 = new DimensionText("N", "a force", "150 kN");
+const $ceb3f = new DimensionText("N/m", "a force per width", "12960 kN/m");
+const $cb6a4 = new DimensionText("N/m", "a spring rate", "12000 kN/m");
+const $c6907 = new DimensionText("Pa", "a pressure", "200 kPa");
+const $cabbc = new DimensionText("Pa/m", "a pressure per length", "190 kPa/mm");
+const $c12ff = new DimensionText("m/s", "a speed", "3 m/s");
+const $ca5a3 = new DimensionText("rad", "an angle", "180 deg");
+const $ca327 = new DimensionText("W", "a power", "250 kW");
+const $c19d7 = new DimensionText("N m", "a torque", "40 kN m");
+const $cc5a9 = new DimensionText("m2", "an area", "2500 mm2");
+const $c9e8e = new DimensionText("s", "a time", "10 s");
+const $c5e0b = new DimensionText("K", "a temperature", "20 degC");
+const $c32f4 = new DimensionText("1/m", "a value per length", "-0.016 1/mm");
+const $c7928 = new DimensionText("m3/J", "a wear volume per energy", "0.05 mm3/J");
+const $c3ce8 = new DimensionText("J/m2", "an energy per area", "800 J/m2");
+const $c46d3 = new DimensionText("W/m2", "a power per area", "1500 W/m2");
+const $c3fd6 = new DimensionText("rad/s", "a rotation speed", "71.6 rpm");
+const $cd5cc = new DimensionText("kg", "a mass", "500 kg");
+const $c622e = new DimensionText("kg/m", "a mass per length", "22 kg/m");
+const $c5b93 = new DimensionText("kg/s", "a mass flow", "1500 t/h");
+const $c96d5 = new DimensionText("kg m2", "a moment of inertia", "2200 kg m2");
+const $c78b8 = new DimensionText("", "a plain number", "0.35");
+const $c22c8 = new Map([["length", $c4c89], ["force", $cb7f2], ["force_per_width", $ceb3f], ["spring_rate", $cb6a4], ["pressure", $c6907], ["pressure_per_length", $cabbc], ["speed", $c12ff], ["angle", $ca5a3], ["power", $ca327], ["torque", $c19d7], ["area", $cc5a9], ["time", $c9e8e], ["temperature", $c5e0b], ["per_length", $c32f4], ["wear_coefficient", $c7928], ["energy_per_area", $c3ce8], ["power_per_area", $c46d3], ["rotation_speed", $c3fd6], ["mass", $cd5cc], ["mass_per_length", $c622e], ["mass_flow", $c5b93], ["moment_of_inertia", $c96d5], ["number", $c78b8]]);
+const $c7c8f = $re("[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]+)?", "");
+const $cf327 = $re("[0-9.,'’_´`\\s+\\-−/:;]*(?:(?<=[0-9])[eE][+-]?[0-9]+)?", "");
+const $ccb7f = $re("[+-]?\\s*(?:nan|inf|infinity|∞)\\b", "i");
+const $c0f01 = $re("[eE][+-]?([0-9]+)$", "");
+const $ced43 = $re("(?<=[0-9])[\\s'’_´`]+(?=[0-9])", "");
+const $cb5cc = $re("[,.]", "");
+const $cf432 = $re("1\\s*/\\s*[A-Za-z(]", "");
+const $c9926 = $re("[0-9.,'’_´`+\\-−:;]|/\\s*[0-9]", "");
+const $c388d = ["kg", "m", "s", "K", "rad"];
+const $c7520 = ["meter", "meters", "metre", "metres"];
+const $c3ab7 = $Decimal.of("1");
+const $cff3b = $Decimal.of("0");
+const $ca016 = new Definition($c7520, $c3ab7, "m", $cff3b);
+const $cc6d3 = ["km"];
+const $ceae1 = $Decimal.of("1000");
+const $cb0fe = $Decimal.of("0");
+const $cac85 = new Definition($cc6d3, $ceae1, "m", $cb0fe);
+const $c463e = ["dm"];
+const $cfce2 = $Decimal.of("0.1");
+const $c9df0 = $Decimal.of("0");
+const $c6c44 = new Definition($c463e, $cfce2, "m", $c9df0);
+const $cb9ee = ["cm"];
+const $c5a49 = $Decimal.of("0.01");
+const $c6f7a = $Decimal.of("0");
+const $c23b7 = new Definition($cb9ee, $c5a49, "m", $c6f7a);
+const $c292c = ["mm"];
+const $cdda8 = $Decimal.of("0.001");
+const $cf90c = $Decimal.of("0");
+const $c898e = new Definition($c292c, $cdda8, "m", $cf90c);
+const $c7835 = ["um", "micron", "microns"];
+const $c74d8 = $Decimal.of("0.000001");
+const $c1807 = $Decimal.of("0");
+const $c3cf3 = new Definition($c7835, $c74d8, "m", $c1807);
+const $ca74f = ["in", "inch", "inches", "\""];
+const $c417c = $Decimal.of("0.0254");
+const $c8466 = $Decimal.of("0");
+const $c78b2 = new Definition($ca74f, $c417c, "m", $c8466);
+const $c6149 = ["ft", "foot", "feet"];
+const $c4b0c = $Decimal.of("12");
+const $cf9db = $Decimal.of("0");
+const $cfead = new Definition($c6149, $c4b0c, "in", $cf9db);
+const $cb28d = ["yd"];
+const $cd476 = $Decimal.of("3");
+const $c455d = $Decimal.of("0");
+const $cc559 = new Definition($cb28d, $cd476, "ft", $c455d);
+const $ca080 = ["mi", "mile", "miles"];
+const $cd70f = $Decimal.of("5280");
+const $c99ca = $Decimal.of("0");
+const $cc34c = new Definition($ca080, $cd70f, "ft", $c99ca);
+const $c990f = ["thou"];
+const $c15de = $Decimal.of("0.001");
+const $c479a = $Decimal.of("0");
+const $c06a3 = new Definition($c990f, $c15de, "in", $c479a);
+const $c8108 = ["g"];
+const $c0115 = $Decimal.of("0.001");
+const $c3c60 = $Decimal.of("0");
+const $c4a6d = new Definition($c8108, $c0115, "kg", $c3c60);
+const $cd35b = ["t", "tonne", "tonnes"];
+const $c2b42 = $Decimal.of("1000");
+const $c213b = $Decimal.of("0");
+const $c2b63 = new Definition($cd35b, $c2b42, "kg", $c213b);
+const $cea9f = ["lbm"];
+const $cbce9 = $Decimal.of("0.45359237");
+const $cd3b3 = $Decimal.of("0");
+const $c32bf = new Definition($cea9f, $cbce9, "kg", $cd3b3);
+const $c5316 = ["sec", "second", "seconds"];
+const $c51e3 = $Decimal.of("1");
+const $c6250 = $Decimal.of("0");
+const $ccfac = new Definition($c5316, $c51e3, "s", $c6250);
+const $c5307 = ["ms"];
+const $c2d60 = $Decimal.of("0.001");
+const $c79b7 = $Decimal.of("0");
+const $c3fb9 = new Definition($c5307, $c2d60, "s", $c79b7);
+const $cfa63 = ["min", "minute", "minutes"];
+const $c4448 = $Decimal.of("60");
+const $c6b3e = $Decimal.of("0");
+const $cc25d = new Definition($cfa63, $c4448, "s", $c6b3e);
+const $ce15c = ["h", "hr", "hour", "hours"];
+const $c89f6 = $Decimal.of("60");
+const $cfd46 = $Decimal.of("0");
+const $c8a0e = new Definition($ce15c, $c89f6, "min", $cfd46);
+const $ce156 = ["d", "day", "days"];
+const $c8ef1 = $Decimal.of("24");
+const $c91d2 = $Decimal.of("0");
+const $c85fe = new Definition($ce156, $c8ef1, "h", $c91d2);
+const $cf758 = ["N", "newton", "newtons"];
+const $c63be = $Decimal.of("1");
+const $c33c6 = $Decimal.of("0");
+const $cf7d5 = new Definition($cf758, $c63be, "kg m/s2", $c33c6);
+const $ce5c1 = ["mN"];
+const $cf74a = $Decimal.of("0.001");
+const $cc8a6 = $Decimal.of("0");
+const $ccd2e = new Definition($ce5c1, $cf74a, "N", $cc8a6);
+const $c0970 = ["daN"];
+const $c3af5 = $Decimal.of("10");
+const $cd65e = $Decimal.of("0");
+const $cb833 = new Definition($c0970, $c3af5, "N", $cd65e);
+const $c2d83 = ["kN"];
+const $c7ef1 = $Decimal.of("1000");
+const $cc92e = $Decimal.of("0");
+const $cc894 = new Definition($c2d83, $c7ef1, "N", $cc92e);
+const $c3dda = ["MN"];
+const $cfffc = $Decimal.of("1E+6");
+const $c1650 = $Decimal.of("0");
+const $cb72b = new Definition($c3dda, $cfffc, "N", $c1650);
+const $c9381 = ["kgf", "kp"];
+const $cb65f = $Decimal.of("9.80665");
+const $cf513 = $Decimal.of("0");
+const $c2cce = new Definition($c9381, $cb65f, "N", $cf513);
+const $c9b51 = ["gf"];
+const $c6c62 = $Decimal.of("0.001");
+const $cafa5 = $Decimal.of("0");
+const $c6462 = new Definition($c9b51, $c6c62, "kgf", $cafa5);
+const $c0316 = ["tf"];
+const $c0ee7 = $Decimal.of("1000");
+const $c5df2 = $Decimal.of("0");
+const $cc08f = new Definition($c0316, $c0ee7, "kgf", $c5df2);
+const $c7445 = ["lbf", "lb", "lbs"];
+const $c0294 = $Decimal.of("4.4482216152605");
+const $c0292 = $Decimal.of("0");
+const $c4056 = new Definition($c7445, $c0294, "N", $c0292);
+const $cb751 = ["klbf", "kip", "kips"];
+const $cd29e = $Decimal.of("1000");
+const $cfe19 = $Decimal.of("0");
+const $cfb47 = new Definition($cb751, $cd29e, "lbf", $cfe19);
+const $c8aef = ["PIW", "piw", "PLI", "pli"];
+const $c8d62 = $Decimal.of("1");
+const $cb5ab = $Decimal.of("0");
+const $cde5a = new Definition($c8aef, $c8d62, "lbf/in", $cb5ab);
+const $c3a72 = ["Pa"];
+const $c02fd = $Decimal.of("1");
+const $cb107 = $Decimal.of("0");
+const $c7e30 = new Definition($c3a72, $c02fd, "N/m2", $cb107);
+const $c52a1 = ["hPa"];
+const $ce59e = $Decimal.of("100");
+const $cf530 = $Decimal.of("0");
+const $c3856 = new Definition($c52a1, $ce59e, "Pa", $cf530);
+const $c42a0 = ["kPa"];
+const $c0cd3 = $Decimal.of("1000");
+const $cfb15 = $Decimal.of("0");
+const $c9971 = new Definition($c42a0, $c0cd3, "Pa", $cfb15);
+const $ca16d = ["MPa"];
+const $c961c = $Decimal.of("1E+6");
+const $c1f76 = $Decimal.of("0");
+const $c6f8da = new Definition($ca16d, $c961c, "Pa", $c1f76);
+const $c3c10 = ["GPa"];
+const $c0c4a = $Decimal.of("1E+9");
+const $cf60c = $Decimal.of("0");
+const $ce4e2 = new Definition($c3c10, $c0c4a, "Pa", $cf60c);
+const $cde67 = ["bar"];
+const $cbe29 = $Decimal.of("1E+5");
+const $cb58f = $Decimal.of("0");
+const $c56ee = new Definition($cde67, $cbe29, "Pa", $cb58f);
+const $c50e9 = ["mbar"];
+const $c94dc = $Decimal.of("100");
+const $c5af7 = $Decimal.of("0");
+const $cf9cc = new Definition($c50e9, $c94dc, "Pa", $c5af7);
+const $c4a77 = ["psi", "PSI"];
+const $c56b5 = $Decimal.of("1");
+const $c1805 = $Decimal.of("0");
+const $c390e = new Definition($c4a77, $c56b5, "lbf/in2", $c1805);
+const $c5f66 = ["ksi"];
+const $c1a1a = $Decimal.of("1000");
+const $c4846 = $Decimal.of("0");
+const $c1150 = new Definition($c5f66, $c1a1a, "psi", $c4846);
+const $cedae = ["J", "joule"];
+const $c5094 = $Decimal.of("1");
+const $ce0a7 = $Decimal.of("0");
+const $cd0b2 = new Definition($cedae, $c5094, "N m", $ce0a7);
+const $c173c = ["mJ"];
+const $ce6bf = $Decimal.of("0.001");
+const $cbf07 = $Decimal.of("0");
+const $ca59d = new Definition($c173c, $ce6bf, "J", $cbf07);
+const $c968b = ["kJ"];
+const $c72b7 = $Decimal.of("1000");
+const $c8a50 = $Decimal.of("0");
+const $cb500 = new Definition($c968b, $c72b7, "J", $c8a50);
+const $c28c4 = ["MJ"];
+const $c8da2 = $Decimal.of("1E+6");
+const $c7602 = $Decimal.of("0");
+const $c5f67 = new Definition($c28c4, $c8da2, "J", $c7602);
+const $c8ceb = ["Nm"];
+const $c449e = $Decimal.of("1");
+const $c585b = $Decimal.of("0");
+const $c13af = new Definition($c8ceb, $c449e, "N m", $c585b);
+const $cabe7 = ["kNm"];
+const $cbf90 = $Decimal.of("1000");
+const $cde15 = $Decimal.of("0");
+const $c87eb = new Definition($cabe7, $cbf90, "N m", $cde15);
+const $c2d10 = ["MNm"];
+const $c3007 = $Decimal.of("1E+6");
+const $ceb26 = $Decimal.of("0");
+const $c7072 = new Definition($c2d10, $c3007, "N m", $ceb26);
+const $cb812 = ["W", "watt", "watts"];
+const $c356d = $Decimal.of("1");
+const $c0c48 = $Decimal.of("0");
+const $cdb72 = new Definition($cb812, $c356d, "J/s", $c0c48);
+const $c3722 = ["kW"];
+const $c3a01 = $Decimal.of("1000");
+const $cd854 = $Decimal.of("0");
+const $ccb08 = new Definition($c3722, $c3a01, "W", $cd854);
+const $c00c1 = ["MW"];
+const $c18c5 = $Decimal.of("1E+6");
+const $ccd40 = $Decimal.of("0");
+const $c875c = new Definition($c00c1, $c18c5, "W", $ccd40);
+const $c13bc = ["hp", "HP", "bhp", "BHP"];
+const $c29ff = $Decimal.of("550");
+const $ceadb = $Decimal.of("0");
+const $ce000 = new Definition($c13bc, $c29ff, "ft lbf/s", $ceadb);
+const $c9d69 = ["PS", "cv", "CV", "hp(metric)"];
+const $cf5e2 = $Decimal.of("75");
+const $c1241 = $Decimal.of("0");
+const $cc241 = new Definition($c9d69, $cf5e2, "kgf m/s", $c1241);
+const $c9e5a = ["fpm", "FPM"];
+const $c20e8 = $Decimal.of("1");
+const $c50c0 = $Decimal.of("0");
+const $c8730 = new Definition($c9e5a, $c20e8, "ft/min", $c50c0);
+const $c9bb9 = ["fps"];
+const $c8451 = $Decimal.of("1");
+const $c835f = $Decimal.of("0");
+const $c3d60 = new Definition($c9bb9, $c8451, "ft/s", $c835f);
+const $ca81f = ["kph", "kmh"];
+const $c8247 = $Decimal.of("1");
+const $cc69c = $Decimal.of("0");
+const $c529e = new Definition($ca81f, $c8247, "km/h", $cc69c);
+const $ce6a6 = ["mph"];
+const $ceebe = $Decimal.of("1");
+const $cad07 = $Decimal.of("0");
+const $c7f4c = new Definition($ce6a6, $ceebe, "mi/h", $cad07);
+const $cfa95 = ["mrad"];
+const $c2c57 = $Decimal.of("0.001");
+const $c80ad = $Decimal.of("0");
+const $c10f2 = new Definition($cfa95, $c2c57, "rad", $c80ad);
+const $c315a = ["deg", "degree", "degrees", "°"];
+const $cdc92 = $Decimal.of("0.01745329251994329576923690768");
+const $cd8a7 = $Decimal.of("0");
+const $c4bbe = new Definition($c315a, $cdc92, "rad", $cd8a7);
+const $c3235 = ["rev", "turn", "turns"];
+const $c691f = $Decimal.of("360");
+const $ca1a42 = $Decimal.of("0");
+const $caf6b = new Definition($c3235, $c691f, "deg", $ca1a42);
+const $c80c3 = ["rpm", "RPM"];
+const $c5fe7 = $Decimal.of("1");
+const $c679a = $Decimal.of("0");
+const $c029a = new Definition($c80c3, $c5fe7, "rev/min", $c679a);
+const $c0b62 = ["degC", "°C"];
+const $c6bff = $Decimal.of("1");
+const $c2f8d = $Decimal.of("-273.15");
+const $c8cd2 = new Definition($c0b62, $c6bff, "K", $c2f8d);
+const $c04d0 = ["degF", "°F"];
+const $ce4e9 = $Decimal.of("0.5555555555555555555555555556");
+const $c91b1 = $Decimal.of("-459.67");
+const $cfa62 = new Definition($c04d0, $ce4e9, "K", $c91b1);
+const $ca7a5 = ["%", "percent"];
+const $c307b = $Decimal.of("0.01");
+const $c0a42 = $Decimal.of("0");
+const $c83b1 = new Definition($ca7a5, $c307b, "", $c0a42);
+const $c50ba = [$ca016, $cac85, $c6c44, $c23b7, $c898e, $c3cf3, $c78b2, $cfead, $cc559, $cc34c, $c06a3, $c4a6d, $c2b63, $c32bf, $ccfac, $c3fb9, $cc25d, $c8a0e, $c85fe, $cf7d5, $ccd2e, $cb833, $cc894, $cb72b, $c2cce, $c6462, $cc08f, $c4056, $cfb47, $cde5a, $c7e30, $c3856, $c9971, $c6f8da, $ce4e2, $c56ee, $cf9cc, $c390e, $c1150, $cd0b2, $ca59d, $cb500, $c5f67, $c13af, $c87eb, $c7072, $cdb72, $ccb08, $c875c, $ce000, $cc241, $c8730, $c3d60, $c529e, $c7f4c, $c10f2, $c4bbe, $caf6b, $c029a, $c8cd2, $cfa62, $c83b1];
+const $cdac1 = new Map([[181, "u"], [956, "u"], [8243, "\""], [8221, "\""], [186, "°"], [183, "*"], [8901, "*"], [215, "*"], [178, "2"], [179, "3"], [8315, "-"], [185, "1"], [160, " "], [8239, " "]]);
+const $c0fad = $re("(?<over>1|[A-Za-z°%\"]+(?:\\^?-?[1-9])?(?:(?:\\s*[*.]\\s*|\\s+|-(?=[A-Za-z]))[A-Za-z°%\"]+(?:\\^?-?[1-9])?)*)?\\s*(?:/\\s*(?:(?<one>[A-Za-z°%\"]+(?:\\^?-?[1-9])?)|\\(\\s*(?<under>[A-Za-z°%\"]+(?:\\^?-?[1-9])?(?:(?:\\s*[*.]\\s*|\\s+|-(?=[A-Za-z]))[A-Za-z°%\"]+(?:\\^?-?[1-9])?)*)\\s*\\)))?", "");
+const $c09cc = $re("([A-Za-z°%\"]+)(?:\\^?(-?[1-9]))?", "");
+const $c5fbb = ["length", "force", "force_per_width", "spring_rate", "pressure", "pressure_per_length", "speed", "angle", "power", "torque", "area", "time", "temperature", "per_length", "wear_coefficient", "energy_per_area", "power_per_area", "rotation_speed", "mass", "mass_per_length", "mass_flow", "moment_of_inertia", "number"];
+const $c535d = ["kind", "source", "date", "note"];
+const $c2aaf = $made(Provenance, $c535d, ["given", "", "", "from the coordinates of the pulleys"]);
+const $cf50e = [$cdc1c, $c25c2, $cdb8f, $c490f];
+const $c6fe1 = ["entry_tension", "exit_tension", "effective_tension", "torque", "power"];
+const $c7939 = new Map([["entry", "entry_tension"], ["exit", "exit_tension"]]);
+const $cef3c = ["material_mass", "capacity", "material_mass = \"120 kg/m\""];
+const $ca8b3 = ["take_up_tension", "counterweight", "take_up_tension = \"40 kN\""];
+const $c1f00 = ["length_coefficient", "secondary_resistance", ""];
+const $ca15e = ["start_factor", "start_time", ""];
+const $cbf28 = [$cef3c, $ca8b3, $c1f00, $ca15e];
+const $cf0bc = ["capacity", "start_time", "stop_time"];
+const $c9540 = $made(Quantity, $cd20a, ["force", $cb6cf]);
+const $c8c7b = $made(Entry, $cc442, ["entry_tension", $c9540, false, "", "", "entry_tension", ""]);
+const $cdeb8 = $made(Entry, $cc442, ["exit_tension", $c9540, false, "", "", "exit_tension", ""]);
+const $cf1d5 = $made(Quantity, $cd20a, ["force", null]);
+const $c3b23 = $made(Entry, $cc442, ["effective_tension", $cf1d5, false, "", "", "effective_tension", ""]);
+const $ca2d4 = $made(Quantity, $cd20a, ["power", null]);
+const $c1585 = $made(Entry, $cc442, ["power", $ca2d4, false, "", "", "power", ""]);
+const $cfaf8 = $made(Quantity, $cd20a, ["force", null]);
+const $c387a = $made(ByName, $cf6b7, [$cfaf8, 200]);
+const $c06e6 = $made(Entry, $cc442, ["run", $c387a, false, "", "", "run", ""]);
+const $cab55 = ["first", "second", "words"];
+const $cd72d = $made(Limit, $cf70d, ["number", -100.0, 100.0, false, false]);
+const $ce41f = $made(Quantity, $cd20a, ["number", $cd72d]);
+const $c1309 = $made(Quantity, $cd20a, ["power", null]);
+const $c606c = $made(Either, $cab55, [$ce41f, $c1309, "a share like 0.5 or \"50 %\", or a power like \"300 kW\""]);
+const $cd533 = $made(Rows, $ce552, [$c606c, 1, 10]);
+const $c62e6 = $made(Entry, $cc442, ["share", $cd533, false, "", "", "share", ""]);
+const $c4bb9 = $made(SpeedList, [], []);
+const $cd0ab = $made(Entry, $cc442, ["speeds", $c4bb9, false, "", "", "speeds", ""]);
+const $cf30b = [$c8c7b, $cdeb8, $c3b23, $c1585, $c06e6, $c62e6, $cd0ab];
+const $cdccd = new Map([["entry_tension", $c8c7b], ["exit_tension", $cdeb8], ["effective_tension", $c3b23], ["power", $c1585], ["run", $c06e6], ["share", $c62e6], ["speeds", $cd0ab]]);
+const $c4c2c = $made(tables$Table, $cc03e, [null, $cf30b, $cdccd]);
+const $c78be = $made(Entry, $cc442, ["train", $c4c2c, false, "", "", "train", ""]);
+const $c70ae = [$ceb06, $c14dd, $c8d03, $cd64e, $c7998, $c78be];
+const $c1360 = new Map([["name", $ceb06], ["description", $c14dd], ["kind", $c8d03], ["condition", $cd64e], ["pulley", $c7998], ["train", $c78be]]);
+const $cc28d = $made(tables$Table, $cc03e, [null, $c70ae, $c1360]);
+const $cc379 = $made(Rows, $ce552, [$cc28d, 1, 1000]);
+const $c7c86 = $made(Entry, $cc442, ["load_case", $cc379, false, "", "", "load_case", ""]);
+const $c4415 = $made(Quantity, $cd20a, ["length", $cd632]);
+const $c6fec = $made(Rows, $ce552, [$c4415, 1, 10]);
+const $c85cb = $made(Entry, $cc442, ["diameters", $c6fec, false, "", "", "diameters", ""]);
+const $ce961 = ["converter"];
+const $cf679 = $made(Choice, $ca793, [$ce961]);
+const $c33ea = $made(Entry, $cc442, ["kind", $cf679, true, "", "", "kind", ""]);
+const $c67e0 = $made(Limit, $cf70d, ["power", 0.0, 1000000000.0, true, false]);
+const $c9e10 = $made(Quantity, $cd20a, ["power", $c67e0]);
+const $cfb66 = $made(Entry, $cc442, ["rated_power", $c9e10, true, "", "", "rated_power", ""]);
+const $cb286 = $made(Limit, $cf70d, ["rotation_speed", 0.0, 100000.0, true, false]);
+const $ca54b = $made(Quantity, $cd20a, ["rotation_speed", $cb286]);
+const $ca92d = $made(Entry, $cc442, ["rated_speed", $ca54b, true, "", "", "rated_speed", ""]);
+const $c2a89 = $made(Limit, $cf70d, ["number", 0.0, 10000.0, true, false]);
+const $c2a15 = $made(Quantity, $cd20a, ["number", $c2a89]);
+const $cfdcf = $made(Entry, $cc442, ["gear_ratio", $c2a15, false, "", "", "gear_ratio", ""]);
+const $ce03b = $made(Limit, $cf70d, ["number", 0.05, 1.0, false, false]);
+const $c315b = $made(Quantity, $cd20a, ["number", $ce03b]);
+const $c1481 = $made(Entry, $cc442, ["gear_efficiency", $c315b, false, "", "", "gear_efficiency", ""]);
+const $cf04b = $made(Limit, $cf70d, ["number", 0.05, 1.0, false, false]);
+const $cff58 = $made(Quantity, $cd20a, ["number", $cf04b]);
+const $c7c17 = $made(Entry, $cc442, ["motor_efficiency", $cff58, false, "", "", "motor_efficiency", ""]);
+const $ccc4d = $made(Count, $c38c6, [1, 8]);
+const $c9761 = $made(Entry, $cc442, ["count", $ccc4d, false, "", "", "count", ""]);
+const $c249a = $made(Flag, [], []);
+const $ccf35 = $made(Entry, $cc442, ["brakes", $c249a, false, "", "", "brakes", ""]);
+const $c44c9 = $made(Limit, $cf70d, ["number", 0.01, 3.0, false, false]);
+const $c05f8 = $made(Quantity, $cd20a, ["number", $c44c9]);
+const $c8590 = $made(Entry, $cc442, ["setting", $c05f8, false, "", "", "setting", ""]);
+const $c79a1 = $made(Limit, $cf70d, ["number", 0.0, 0.5, false, false]);
+const $c5e16 = $made(Quantity, $cd20a, ["number", $c79a1]);
+const $c7dbd = $made(Entry, $cc442, ["droop", $c5e16, false, "", "", "droop", ""]);
+const $c7b1d = $made(Limit, $cf70d, ["number", 0.0, Infinity, true, true]);
+const $c2b95 = $made(Quantity, $cd20a, ["number", $c7b1d]);
+const $c4973 = $made(WordOr, $c6a10, ["rigid", $c2b95, Infinity]);
+const $cd819 = $made(Entry, $cc442, ["torque_limit", $c4973, false, "", "", "torque_limit", ""]);
+const $c008b = [$c33ea, $cfb66, $ca92d, $cfdcf, $c1481, $c7c17, $c9761, $ccf35, $c8590, $c7dbd, $cd819];
+const $ceb2f = new Map([["kind", $c33ea], ["rated_power", $cfb66], ["rated_speed", $ca92d], ["gear_ratio", $cfdcf], ["gear_efficiency", $c1481], ["motor_efficiency", $c7c17], ["count", $c9761], ["brakes", $ccf35], ["setting", $c8590], ["droop", $c7dbd], ["torque_limit", $cd819]]);
+const $cff0a = $made(tables$Table, $cc03e, [VariableSpeed, $c008b, $ceb2f]);
+const $c552c = ["induction"];
+const $c7994 = $made(Choice, $ca793, [$c552c]);
+const $ce96a = $made(Entry, $cc442, ["kind", $c7994, true, "", "", "kind", ""]);
+const $c1fe6 = $made(Quantity, $cd20a, ["power", $c67e0]);
+const $c8340 = $made(Entry, $cc442, ["rated_power", $c1fe6, true, "", "", "rated_power", ""]);
+const $c984b = $made(Quantity, $cd20a, ["rotation_speed", $cb286]);
+const $c0dee = $made(Entry, $cc442, ["rated_speed", $c984b, true, "", "", "rated_speed", ""]);
+const $ce44d = $made(Quantity, $cd20a, ["number", $c2a89]);
+const $cd486 = $made(Entry, $cc442, ["gear_ratio", $ce44d, false, "", "", "gear_ratio", ""]);
+const $c4026 = $made(Quantity, $cd20a, ["number", $ce03b]);
+const $c9c8b = $made(Entry, $cc442, ["gear_efficiency", $c4026, false, "", "", "gear_efficiency", ""]);
+const $cd6bf = $made(Quantity, $cd20a, ["number", $cf04b]);
+const $c5400 = $made(Entry, $cc442, ["motor_efficiency", $cd6bf, false, "", "", "motor_efficiency", ""]);
+const $cf207 = $made(Flag, [], []);
+const $cb3f9 = $made(Entry, $cc442, ["brakes", $cf207, false, "", "", "brakes", ""]);
+const $c065a = $made(Limit, $cf70d, ["rotation_speed", 0.0, 100000.0, true, false]);
+const $c04a8 = $made(Quantity, $cd20a, ["rotation_speed", $c065a]);
+const $c888b = $made(Entry, $cc442, ["synchronous_speed", $c04a8, true, "", "", "synchronous_speed", ""]);
+const $c8688 = $made(Limit, $cf70d, ["number", 1.1, 10.0, false, false]);
+const $c9a6a = $made(Quantity, $cd20a, ["number", $c8688]);
+const $c2dc3 = $made(Entry, $cc442, ["breakdown_ratio", $c9a6a, false, "", "", "breakdown_ratio", ""]);
+const $c292f = [$ce96a, $c8340, $c0dee, $cd486, $c9c8b, $c5400, $c9761, $cb3f9, $c888b, $c2dc3];
+const $c22d4 = new Map([["kind", $ce96a], ["rated_power", $c8340], ["rated_speed", $c0dee], ["gear_ratio", $cd486], ["gear_efficiency", $c9c8b], ["motor_efficiency", $c5400], ["count", $c9761], ["brakes", $cb3f9], ["synchronous_speed", $c888b], ["breakdown_ratio", $c2dc3]]);
+const $c23bf = $made(tables$Table, $cc03e, [Induction, $c292f, $c22d4]);
+const $cb454 = ["fluid-coupling"];
+const $cc915 = $made(Choice, $ca793, [$cb454]);
+const $c2246 = $made(Entry, $cc442, ["kind", $cc915, true, "", "", "kind", ""]);
+const $ce3ea = $made(Quantity, $cd20a, ["power", $c67e0]);
+const $c97eb = $made(Entry, $cc442, ["rated_power", $ce3ea, true, "", "", "rated_power", ""]);
+const $cbcb1 = $made(Quantity, $cd20a, ["rotation_speed", $cb286]);
+const $c95d25 = $made(Entry, $cc442, ["rated_speed", $cbcb1, true, "", "", "rated_speed", ""]);
+const $ca17d = $made(Quantity, $cd20a, ["number", $c2a89]);
+const $cd017 = $made(Entry, $cc442, ["gear_ratio", $ca17d, false, "", "", "gear_ratio", ""]);
+const $c794e = $made(Quantity, $cd20a, ["number", $ce03b]);
+const $ceea5 = $made(Entry, $cc442, ["gear_efficiency", $c794e, false, "", "", "gear_efficiency", ""]);
+const $cc529 = $made(Quantity, $cd20a, ["number", $cf04b]);
+const $ccf84 = $made(Entry, $cc442, ["motor_efficiency", $cc529, false, "", "", "motor_efficiency", ""]);
+const $cc405 = $made(Flag, [], []);
+const $c7a0e = $made(Entry, $cc442, ["brakes", $cc405, false, "", "", "brakes", ""]);
+const $c5889 = $made(Quantity, $cd20a, ["rotation_speed", $c065a]);
+const $cf1c8 = $made(Entry, $cc442, ["synchronous_speed", $c5889, true, "", "", "synchronous_speed", ""]);
+const $cde70 = $made(Quantity, $cd20a, ["number", $c8688]);
+const $cff62 = $made(Entry, $cc442, ["breakdown_ratio", $cde70, false, "", "", "breakdown_ratio", ""]);
+const $cb9c1 = $made(Limit, $cf70d, ["number", 0.0, 10.0, false, false]);
+const $cbc2c = $made(Quantity, $cd20a, ["number", $cb9c1]);
+const $cc04f = $made(Rows, $ce552, [$cbc2c, 2, 200]);
+const $ce2c8 = $made(Entry, $cc442, ["coupling_load", $cc04f, true, "", "", "coupling_load", ""]);
+const $c30d4d = $made(Entry, $cc442, ["coupling_slip", $cc04f, true, "", "", "coupling_slip", ""]);
+const $cc970 = [$c2246, $c97eb, $c95d25, $cd017, $ceea5, $ccf84, $c9761, $c7a0e, $cf1c8, $cff62, $ce2c8, $c30d4d];
+const $c480a = new Map([["kind", $c2246], ["rated_power", $c97eb], ["rated_speed", $c95d25], ["gear_ratio", $cd017], ["gear_efficiency", $ceea5], ["motor_efficiency", $ccf84], ["count", $c9761], ["brakes", $c7a0e], ["synchronous_speed", $cf1c8], ["breakdown_ratio", $cff62], ["coupling_load", $ce2c8], ["coupling_slip", $c30d4d]]);
+const $c049a = $made(tables$Table, $cc03e, [FluidCoupling, $cc970, $c480a]);
+const $c65bf = ["follower"];
+const $cfee7 = $made(Choice, $ca793, [$c65bf]);
+const $c5659 = $made(Entry, $cc442, ["kind", $cfee7, true, "", "", "kind", ""]);
+const $c0953 = $made(Name, $c4a10, [60]);
+const $c0871 = $made(Entry, $cc442, ["master", $c0953, true, "", "", "master", ""]);
+const $cc754 = $made(Limit, $cf70d, ["number", -10.0, 10.0, false, false]);
+const $cfc94 = $made(Quantity, $cd20a, ["number", $cc754]);
+const $cae8e = $made(Entry, $cc442, ["ratio", $cfc94, false, "", "", "ratio", ""]);
+const $c61d0 = [$c5659, $c0871, $cae8e];
+const $cea6d = new Map([["kind", $c5659], ["master", $c0871], ["ratio", $cae8e]]);
+const $c73b3 = $made(tables$Table, $cc03e, [TorqueFollower, $c61d0, $cea6d]);
+const $cc5ca = new Map([["converter", $cff0a], ["induction", $c23bf], ["fluid-coupling", $c049a], ["follower", $c73b3]]);
+const $ce9f3 = $made(Variant, $c3ebe, ["kind", $cc5ca]);
+const $cc7b5 = $made(ByName, $cf6b7, [$ce9f3, 200]);
+const $c0179 = $made(Entry, $cc442, ["motor", $cc7b5, false, "", "", "motor", ""]);
+const $ca64e = [$c8c7b, $cdeb8, $c3b23, $c1585, $c06e6, $c62e6, $cd0ab, $c85cb, $c0179];
+const $c408e = new Map([["entry_tension", $c8c7b], ["exit_tension", $cdeb8], ["effective_tension", $c3b23], ["power", $c1585], ["run", $c06e6], ["share", $c62e6], ["speeds", $cd0ab], ["diameters", $c85cb], ["motor", $c0179]]);
+const $c8384 = $made(tables$Table, $cc03e, [null, $ca64e, $c408e]);
+const $cf664 = $made(Entry, $cc442, ["train", $c8384, false, "", "", "train", ""]);
+const $ccce2 = [$cb73a, $c34bd, $ce3f2, $cb10e, $c750b, $cfe86, $c2dd7, $c141c, $c7c86, $c8364, $cdc1c, $c25c2, $cdb8f, $c490f, $cf664, $cb32b];
+const $ca19c = new Map([["format", $cb73a], ["title", $c34bd], ["description", $ce3f2], ["creep_limit", $cb10e], ["condition", $c750b], ["belt", $cfe86], ["pulley", $c2dd7], ["lagging", $c141c], ["load_case", $c7c86], ["conveyor", $c8364], ["take_up", $cdc1c], ["design_standard", $c25c2], ["safety_factor", $cdb8f], ["sag", $c490f], ["train", $cf664], ["motion", $cb32b]]);
+const $c8e8b = $made(tables$Table, $cc03e, [Drive, $ccce2, $ca19c]);
+const $ca366 = $re("[A-Za-z0-9_-]{1,60}", "");
+const $c4a3b = new Map([["The pulley carries its load.", true], ["Breakaway: no creep makes enough friction for this tension ratio. Raise the slack-side tension (take-up), enlarge the wrap angle, or choose a lagging with more friction.", false], ["The solver did not reach its accuracy on this arc. Please report the drive file; until then change a value slightly.", false], ["The drives carry the load.", true], ["Breakaway: a drive cannot hold its part of the load. Raise the slack-side tension (take-up), bring the speeds closer together, or choose a lagging with more friction.", false], ["No operating point: a motor would have to work beyond its curve. Change its set speed or gear, or choose another motor.", false], ["The solver did not reach its accuracy on this train. Please report the drive file; until then change a value slightly.", false]]);
+const $cf933 = new Map([["illustrative", "illustrative: it describes no real product"], ["calibrated", "calibrated: it was fitted to a known result"]]);
+const $c5dd1 = ["illustrative", "calibrated", "estimated"];
+const $c66b4 = new WeakMap();
+const $cfe5e = ["name", "what", "missed", "fails_beyond", "tolerates", "at_most", "dimension", "tension", "binding", "firm", "result", "value", "allowed", "limit", "rounded", "words", "asked"];
+const $cb138 = $made(Rule, $cfe5e, ["train_balance", "the balance of the train", "FAULT OF THE PROGRAM", NaN, NaN, true, "number", "", false, null, "", null, null, null, null, null, null]);
+const $c625f = new Map([[false, "Motor torque over rated torque, running"], [true, "Motor torque over rated torque, momentary"]]);
+const $c58a5 = $made(Rule, $cfe5e, ["momentary_load", "the torque that a motor bears in a start", "ATTENTION", NaN, NaN, true, "number", "", true, null, "", of_train___motor_torque, null, null, null, null, null]);
+const $c0dbc = $made(Rule, $cfe5e, ["motor_load", "the rating of a motor", "ATTENTION", 1.15, NaN, true, "number", "", true, null, "", of_train___motor_torque, null, null, null, null, null]);
+const $c576d = ["Speed"];
+const $c87cd = ["Motor"];
+const $c84c4 = $made(Rule, $cfe5e, ["gross_slip", "the safety against gross slip", "ATTENTION", 1.0, NaN, false, "number", "raise", true, null, "", null, null, null, null, null, null]);
+const $caf89 = ["by creep", "The belt slides (creep of {slides})"];
+const $c4313 = ["by tested slip", "The slip leaves the tests of lagging ⟦lagging⟧"];
+const $ca9e8 = ["by the largest friction", "All friction of the wrap is used up"];
+const $c48c7 = new Map([[0, $caf89], [1, $c4313], [2, $ca9e8]]);
+const $cc89a = ["exit_creep", "peak_shear_stress", "largest_slip", "slip_speed"];
+const $c960d = $made(Rule, $cfe5e, ["design_standard", "the design standard", "ATTENTION", NaN, NaN, false, "force", "raise", true, of_arc___binds, "", null, null, null, null, null, of_arc___standard]);
+const $cc27f = $made(Rule, $cfe5e, ["creep", "the creep limit", "ATTENTION", 0.0635, 0.0127, true, "length", "raise", true, null, "exit_creep", null, null, of_arc___creep_limit, null, of_arc___creeps, null]);
+const $cabb1 = $made(Rule, $cfe5e, ["cover_creep", "the creep limit, with the cover of the belt in series", "ATTENTION", NaN, NaN, true, "length", "raise", false, null, "", null, null, null, null, null, of_arc___cover_creep]);
+const $c3e65 = $made(Rule, $cfe5e, ["creep_interval", "the creep limit, at the end of the interval of the law", "ATTENTION", NaN, NaN, true, "length", "raise", false, null, "", null, null, null, null, null, in_page_checks__creep_interval]);
+const $c8994 = $made(Rule, $cfe5e, ["belt_tension", "the rating of the belt", "FAILS", NaN, NaN, true, "force", "lower", true, null, "", of_drive___tight, of_drive___running_tension, of_drive___over_width, null, of_drive___running, null]);
+const $c5c30 = $made(Rule, $cfe5e, ["momentary_tension", "the momentary rating of the belt", "FAILS", NaN, NaN, true, "force", "lower", true, null, "", of_drive___tight, of_drive___momentary_tension, of_drive___over_width, null, of_drive___momentary, null]);
+const $c25bf = $made(Rule, $cfe5e, ["belt_safety", "the safety factor of the belt", "ATTENTION", 3.0, NaN, false, "number", "lower", true, of_drive___rated, "", of_drive___belt_safety, of_drive___asked_safety, null, of_drive___rounded_safety, of_drive___safety, null]);
+const $c72eb = $made(Rule, $cfe5e, ["face_pressure", "the pressure on the pulley face", "ATTENTION", NaN, NaN, true, "pressure", "lower", true, null, "", of_drive___tight_pressure, of_drive___face_pressure, null, null, of_drive___on_face, null]);
+const $ce298 = $made(Rule, $cfe5e, ["bond_stress", "the bond strength of the lagging", "ATTENTION", NaN, NaN, true, "pressure", "", true, null, "peak_shear_stress", null, of_arc___bond_strength, null, null, of_arc___bond, null]);
+const $cb3d1 = $made(Rule, $cfe5e, ["fatigue_stress", "the fatigue limit of the lagging", "ATTENTION", NaN, NaN, true, "pressure", "", true, null, "peak_shear_stress", null, of_arc___fatigue_limit, null, null, of_arc___tires, null]);
+const $cc16f = $made(Rule, $cfe5e, ["tested_pressure_max", "the largest wrap pressure tested", "ATTENTION", NaN, NaN, true, "pressure", "lower", true, null, "", of_drive___tight_pressure, of_drive___pressure_max, null, null, of_drive___tested_max, null]);
+const $cfecd = $made(Rule, $cfe5e, ["tested_pressure_min", "the least wrap pressure tested", "ATTENTION", NaN, NaN, false, "pressure", "raise", true, null, "", of_drive___slack_pressure, of_drive___pressure_min, null, null, of_drive___tested_min, null]);
+const $cabd6 = $made(Rule, $cfe5e, ["condition", "friction that was not tested in the condition", "ATTENTION", NaN, NaN, true, "number", "", false, null, "", null, null, null, null, null, of_data___condition]);
+const $c3f6d = $made(Rule, $cfe5e, ["fit", "friction that does not fit its tests", "ATTENTION", NaN, NaN, true, "number", "", false, null, "", null, null, null, null, null, of_data___fit]);
+const $c5a91 = $made(Rule, $cfe5e, ["tested_slip", "the largest slip tested", "ATTENTION", NaN, NaN, true, "length", "raise", true, null, "largest_slip", null, of_arc___slip_max, null, null, of_arc___slips, null]);
+const $c5d85 = $made(Rule, $cfe5e, ["tested_slip_speed", "the slip speed tested", "ATTENTION", NaN, NaN, true, "speed", "", false, null, "slip_speed", null, of_arc___tested_speed, null, null, of_arc___slips_fast, null]);
+const $c0d6e = $made(Rule, $cfe5e, ["balance", "the energy balance", "FAULT OF THE PROGRAM", NaN, NaN, true, "number", "", false, null, "", null, null, null, null, null, of_arc___balance]);
+const $c8634 = $made(Rule, $cfe5e, ["sag", "the sag of the belt", "ATTENTION", NaN, NaN, false, "force", "raise", true, null, "", of_drive___slack_end, of_drive___sag_tension, null, null, of_drive___sags, null]);
+const $cedd5 = [$c960d, $cc27f, $cabb1, $c3e65, $c8994, $c5c30, $c25bf, $c72eb, $ce298, $cb3d1, $cc16f, $cfecd, $cabd6, $c3f6d, $c5a91, $c5d85, $c0d6e, $c8634];
+const $ca865 = $made(Rule, $cfe5e, ["pulley_diameter", "the least pulley of the belt", "FAILS", NaN, NaN, false, "length", "", true, null, "", of_drive___diameter, of_drive___least_diameter, null, null, of_drive___bends, null]);
+const $c35d3 = ["Transition", "GrippingPulley"];
+const $c347b = [1.0, 2.0];
+const $c7675 = [5000.0, 5000000.0];
+const $c7efb = [0.0004, 0.025];
+const $c2316 = [0.0004, 0.035];
+const $c37c2 = [0.0004, 0.03];
+const $c27e6 = [0.0015, 0.06];
+const $cc3eb = [300000.0, 5000000.0];
+const $c3e28 = new Map([["momentary_factor", $c347b], ["in_plane_shear_stiffness", $c7675], ["pulley_cover", $c7efb], ["carry_cover", $c2316], ["carcass", $c37c2], ["thickness", $c27e6], ["cover_shear_modulus", $cc3eb]]);
+const $c5677 = [0.2, 8.0];
+const $c7e9b = new Map([["sheave_ratio", $c5677]]);
+const $c74b3 = [0.1, 0.9];
+const $cfae6 = [1.0, 2.5];
+const $c36e1 = new Map([["friction", $c74b3], ["start_factor", $cfae6]]);
+const $c2484 = [1.05, 6.0];
+const $c1eef = [1.0, 4.0];
+const $c2789 = new Map([["running", $c2484], ["starting", $c1eef], ["braking", $c1eef]]);
+const $c068a = [0.3, 8.0];
+const $c609e = [1.0, 3000.0];
+const $cf2bd = [0.002, 0.05];
+const $c9115 = new Map([["spacing", $c068a], ["line_mass", $c609e], ["share", $cf2bd]]);
+const $ca9bc = [1.0, 9.5];
+const $c2448 = [1.05, 2.5];
+const $cdf4e = new Map([["length_coefficient", $ca9bc], ["start_factor", $c2448]]);
+const $c19ff = [300000.0, 100000000.0];
+const $c418f = [1e-13, 1e-10];
+const $cee2a = [0.01, 1.0];
+const $cc366 = new Map([["elastic_modulus", $c19ff], ["wear_coefficient", $c418f], ["belt_energy_share", $cee2a]]);
+const $c9716 = [0.002, 0.5];
+const $c7c50 = [0.0005, 0.06];
+const $cd3f2 = [0.1, 4.0];
+const $c2eba = [0.15, 1.0];
+const $ce4fb = new Map([["width", $c9716], ["height", $c7c50], ["stiffening", $cd3f2], ["contact_fraction", $c2eba]]);
+const $c2559 = [0.05, 200.0];
+const $cace2 = new Map([["area", $c2559]]);
+const $c5669 = [0.05, 1.3];
+const $c85db = new Map([["factor", $c5669]]);
+const $c8659 = [0.3, 500.0];
+const $c5159 = new Map([["distance", $c8659]]);
+const $c4b5e = [0.2, 20.0];
+const $cc24b = [0.08726646259971647, 1.2217304763960306];
+const $ccd85 = [0.05, 2.0];
+const $cd433 = new Map([["length", $c4b5e], ["trough_angle", $cc24b], ["centre_roll", $ccd85]]);
+const $c71ec = [-0.01, 0.01];
+const $c837c = [-0.005, 0.005];
+const $cd40e = new Map([["misalignment", $c71ec], ["deflection", $c837c]]);
+const $c1064 = [1.0, 250.0];
+const $c95b3 = [0.6, 1.0];
+const $c9405 = [0.5, 1.0];
+const $c61d8 = [0.001, 0.15];
+const $ce8a9 = [0.8, 4.0];
+const $c25f8 = [1.5, 5.0];
+const $cd787 = new Map([["gear_ratio", $c1064], ["gear_efficiency", $c95b3], ["motor_efficiency", $c9405], ["droop", $c61d8], ["torque_limit", $ce8a9], ["breakdown_ratio", $c25f8]]);
+const $cdb16 = [0.1, 5.0];
+const $cca9c = new Map([["ratio", $cdb16]]);
+const $ce207 = new Map([["Belt", $c3e28], ["TakeUp", $c7e9b], ["DesignStandard", $c36e1], ["SafetyFactors", $c2789], ["Sag", $c9115], ["Conveyor", $cdf4e], ["Lagging", $cc366], ["Block", $ce4fb], ["Cost", $cace2], ["ConditionFactor", $c85db], ["GrippingPulley", $c5159], ["Transition", $cd433], ["Across", $cd40e], ["Motor", $cd787], ["TorqueFollower", $cca9c]]);
+const $cad03 = ["mm", "m", "cm", "in", "ft"];
+const $c358b = ["kN", "N", "lbf", "kgf", "tf", "MN"];
+const $ccdcc = ["kN/m", "N/m", "PIW", "N/mm", "MN/m"];
+const $c0321 = ["kPa", "MPa", "Pa", "psi", "bar", "GPa"];
+const $ca69a = ["m/s", "m/min", "ft/min", "km/h"];
+const $c0d79 = ["deg", "rad"];
+const $c3320 = ["kW", "W", "hp", "MW"];
+const $cf2ed = ["t", "kg", "g"];
+const $c172d = ["kg/m", "g/m", "t/m"];
+const $c6e75 = ["t/h", "kg/s", "kg/h"];
+const $c4916 = ["kg m2", "t m2", "kg cm2"];
+const $c9fdd = ["kN m", "N m", "MN m"];
+const $cf51b = ["s", "min", "ms", "h"];
+const $c5787 = new Map([["length", $cad03], ["force", $c358b], ["force_per_width", $ccdcc], ["pressure", $c0321], ["speed", $ca69a], ["angle", $c0d79], ["power", $c3320], ["mass", $cf2ed], ["mass_per_length", $c172d], ["mass_flow", $c6e75], ["moment_of_inertia", $c4916], ["torque", $c9fdd], ["time", $cf51b]]);
+const $cb829 = new Place("", "", "");
+const $cc9d1 = new Map([["shell_profile", 0.015], ["worn_depth", 0.025], ["build_up", 0.03]]);
+const $c1d1c = ["rated power of the motor", "power"];
+const $c8a2c = ["rated speed of the motor", "rotation_speed"];
+const $c29fd = ["speed of the drum over that of the belt", "number"];
+const $c1429 = [$c1d1c, $c8a2c, $c29fd];
+const $cf220 = [250.0, 20000000.0];
+const $cb417 = [10.0, 400.0];
+const $c5df7 = [0.95, 1.05];
+const $cbfa6 = [$cf220, $cb417, $c5df7];
+const $c643a = ["length", 3.0, 30000.0];
+const $cae2d = ["lift", -1500.0, 1500.0];
+const $c5d852 = ["belt_mass", 3.0, 100.0];
+const $c78e7 = ["carry_idler_mass", 2.0, 60.0];
+const $c0502 = ["return_idler_mass", 0.7, 30.0];
+const $c3d98 = ["material_mass", 0.5, 4000.0];
+const $cd613 = ["capacity", 0.1, 15000.0];
+const $c66b1 = ["friction_factor", 0.01, 0.04];
+const $c2ab5 = ["secondary_resistance", 10.0, 500000.0];
+const $c9550 = ["special_resistance", 10.0, 200000.0];
+const $caac3 = ["start_time", 1.0, 600.0];
+const $cb323 = ["stop_time", 1.0, 600.0];
+const $c30c8 = ["take_up_tension", 300.0, 2000000.0];
+const $c7f14 = ["counterweight", 30.0, 200000.0];
+const $ce959 = [$c643a, $cae2d, $c5d852, $c78e7, $c0502, $c3d98, $cd613, $c66b1, $c2ab5, $c9550, $caac3, $cb323, $c30c8, $c7f14];
+const $c660d = ["belt_mass", "carry_idler_mass", "return_idler_mass"];
+const $cc8f7 = $made(Limit, $cf70d, ["speed", 0.0, Infinity, true, false]);
+const $cfa18 = $made(Limit, $cf70d, ["number", 0.01, 100.0, false, false]);
+const $ccebb = new Map([["length", $c2266], ["lift", $c82e7], ["belt_mass", $c54af], ["carry_idler_mass", $ca8cb], ["return_idler_mass", $c207a], ["material_mass", $c54af], ["capacity", $ccbd2], ["friction_factor", $c3430], ["length_coefficient", $cec54], ["secondary_resistance", $c4489], ["special_resistance", $c4489], ["return_share", $cb01c], ["start_factor", $c3524], ["start_time", $c267d], ["stop_time", $c267d], ["take_up_tension", $cc768], ["counterweight", $c5869], ["take_up_distance", $cb6bd], ["speed", $cc8f7], ["sheave_ratio", $cfa18]]);
+const $c5c49 = [0.2, 4.0];
+const $cad33 = [100000.0, 1000000000.0];
+const $c6fd8 = [0.05, 15.0];
+const $cc6ce = [0.15, 3.0];
+const $cc9f1 = [0.17453292519943295, 4.71238898038469];
+const $c56f7 = [2.0943951023931953, 4.71238898038469];
+const $c77ea = [0.0005, 0.061];
+const $c0e11 = [-0.002, 0.002];
+const $cbcdc = [0.0, 0.06];
+const $c8f95 = [100000.0, 50000000.0];
+const $ca8ed = [100000.0, 5000000000.0];
+const $c0e79 = [5000.0, 2000000.0];
+const $c012e = [10000.0, 50000000.0];
+const $c4ce4 = [50000.0, 10000000.0];
+const $c0042 = [0.1, 3.0];
+const $c453e = [500.0, 10000000.0];
+const $c9636 = [4.0, 20.0];
+const $cbee8 = [15.0, 1000.0];
+const $cbd48 = [0.0, 1600000.0];
+const $c0160 = [1.0, 130.0];
+const $c7198 = [$c5c49, $cad33, $c6fd8, $cc6ce, $cc9f1, $c56f7, $c77ea, $c0e11, $cbcdc, $c8f95, $ca8ed, $c0e79, $c012e, $c012e, $c4ce4, $c0042, $c453e, $c9636, $cbee8, $cbd48, $c453e, $c453e, $cf220, $c0160];
+const $caee2 = [500.0, 2000000.0];
+const $cde5a4 = ["least tested pressure", "pressure", $caee2];
+const $c6f50 = [10000.0, 10000000.0];
+const $ca5a3f = ["largest tested pressure", "pressure", $c6f50];
+const $c94dcc = [5e-05, 0.3];
+const $ccc4c = ["largest tested slip", "length", $c94dcc];
+const $c2e73 = [2e-06, 0.3];
+const $cfbf0 = ["tested slip speed", "speed", $c2e73];
+const $cc189 = new Map([["pressure_min", $cde5a4], ["pressure_max", $ca5a3f], ["slip_max", $ccc4c], ["slip_speed", $cfbf0]]);
+const $cece7 = [0.03, 1.9];
+const $c5944 = ["force", "mass_per_length"];
+const $cb216 = new Map([["illustrative", "on illustrative data"], ["untested", "on friction without tests"], ["estimated", "on estimated data"], ["calibrated", "on calibrated data"]]);
+const $cd36e = new WeakMap();
+const $c63ca = [180.0, 1.2];
+const $c0098 = [200.0, 1.0];
+const $cba05 = [210.0, 1.0];
+const $c7643 = [220.0, 0.9];
+const $cc957 = [240.0, 0.8];
+const $c42e0 = [$c63ca, $c0098, $cba05, $c7643, $cc957];
+const $c8440 = [180.0, 0.8];
+const $c77a7 = [200.0, 0.7];
+const $c2923 = [210.0, 0.7];
+const $ccb4b = [220.0, 0.6];
+const $c8bdf = [240.0, 0.6];
+const $ce64a = [$c8440, $c77a7, $c2923, $ccb4b, $c8bdf];
+const $c5f1f = new Map([["bare", $c42e0], ["lagged", $ce64a]]);
+const $c9a2a = ["standard", "surface", "condition", "friction", "provenance"];
+const $cd49e = [0.25, 0.25];
+const $c17f0 = $made(Provenance, $c535d, ["published", "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", "", ""]);
+const $c88e7 = $made(DesignFriction, $c9a2a, ["CEMA", "bare", "", $cd49e, $c17f0]);
+const $c999d = [0.35, 0.35];
+const $c5f69 = $made(Provenance, $c535d, ["published", "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", "", ""]);
+const $cd062 = $made(DesignFriction, $c9a2a, ["CEMA", "rubber", "", $c999d, $c5f69]);
+const $c9b38 = [0.5, 0.5];
+const $cbe15 = $made(Provenance, $c535d, ["published", "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", "", "dimpled ceramic"]);
+const $c16b7 = $made(DesignFriction, $c9a2a, ["CEMA", "ceramic", "", $c9b38, $cbe15]);
+const $c4611 = [0.35, 0.4];
+const $c477c = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
+const $c1654 = $made(DesignFriction, $c9a2a, ["DIN 22101", "bare", "dry", $c4611, $c477c]);
+const $ca372 = [0.1, 0.1];
+const $c0934 = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
+const $c069c = $made(DesignFriction, $c9a2a, ["DIN 22101", "bare", "wet", $ca372, $c0934]);
+const $c49b6 = [0.05, 0.1];
+const $c9adb = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
+const $cd73e = $made(DesignFriction, $c9a2a, ["DIN 22101", "bare", "wet and dirty", $c49b6, $c9adb]);
+const $c4d91 = [0.4, 0.45];
+const $c60f9 = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "herringbone grooves"]);
+const $c8dc3 = $made(DesignFriction, $c9a2a, ["DIN 22101", "rubber", "dry", $c4d91, $c60f9]);
+const $c22784 = [0.35, 0.35];
+const $c3568 = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "herringbone grooves; single value, partly from IS 11592 and REMA"]);
+const $c465b = $made(DesignFriction, $c9a2a, ["DIN 22101", "rubber", "wet", $c22784, $c3568]);
+const $cfda2 = [0.25, 0.3];
+const $c76e9 = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "herringbone grooves"]);
+const $c4544 = $made(DesignFriction, $c9a2a, ["DIN 22101", "rubber", "wet and dirty", $cfda2, $c76e9]);
+const $cc087 = [0.35, 0.4];
+const $c77e2 = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
+const $caf0d = $made(DesignFriction, $c9a2a, ["DIN 22101", "polyurethane", "dry", $cc087, $c77e2]);
+const $c2cc9 = [0.35, 0.35];
+const $c81c0 = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
+const $c33d6 = $made(DesignFriction, $c9a2a, ["DIN 22101", "polyurethane", "wet", $c2cc9, $c81c0]);
+const $c46cd = [0.2, 0.2];
+const $c2070 = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
+const $c4015 = $made(DesignFriction, $c9a2a, ["DIN 22101", "polyurethane", "wet and dirty", $c46cd, $c2070]);
+const $cf072 = [0.4, 0.45];
+const $c269e = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
+const $c762e = $made(DesignFriction, $c9a2a, ["DIN 22101", "ceramic", "dry", $cf072, $c269e]);
+const $c3458 = [0.35, 0.4];
+const $ce9fa = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
+const $c2a06 = $made(DesignFriction, $c9a2a, ["DIN 22101", "ceramic", "wet", $c3458, $ce9fa]);
+const $c2dad = [0.35, 0.35];
+const $cc356 = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
+const $c4014 = $made(DesignFriction, $c9a2a, ["DIN 22101", "ceramic", "wet and dirty", $c2dad, $cc356]);
+const $c99d3 = [0.35, 0.35];
+const $cb0d4 = $made(Provenance, $c535d, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "diamond rubber"]);
+const $c68bd = $made(DesignFriction, $c9a2a, ["practice", "rubber", "dry", $c99d3, $cb0d4]);
+const $c69fe = [0.35, 0.35];
+const $c5157 = $made(Provenance, $c535d, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "diamond rubber"]);
+const $cf0f2 = $made(DesignFriction, $c9a2a, ["practice", "rubber", "wet", $c69fe, $c5157]);
+const $c9758 = [0.3, 0.3];
+const $c1548 = $made(Provenance, $c535d, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "diamond rubber"]);
+const $ca0d7 = $made(DesignFriction, $c9a2a, ["practice", "rubber", "wet and dirty", $c9758, $c1548]);
+const $ced9b = [0.8, 0.8];
+const $c8b0a = $made(Provenance, $c535d, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "ceramic in rubber"]);
+const $cb79a = $made(DesignFriction, $c9a2a, ["practice", "ceramic", "dry", $ced9b, $c8b0a]);
+const $cc49e = [0.45, 0.45];
+const $cd4c0d = $made(Provenance, $c535d, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "ceramic in rubber"]);
+const $c0e8c = $made(DesignFriction, $c9a2a, ["practice", "ceramic", "wet", $cc49e, $cd4c0d]);
+const $c384c = [0.35, 0.35];
+const $c15e3 = $made(Provenance, $c535d, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "ceramic in rubber"]);
+const $c8b09 = $made(DesignFriction, $c9a2a, ["practice", "ceramic", "wet and dirty", $c384c, $c15e3]);
+const $c9375 = [$c88e7, $cd062, $c16b7, $c1654, $c069c, $cd73e, $c8dc3, $c465b, $c4544, $caf0d, $c33d6, $c4015, $c762e, $c2a06, $c4014, $c68bd, $cf0f2, $ca0d7, $cb79a, $c0e8c, $c8b09];
+const $c5af9 = new Set(["cover_creep", "creep", "creep_interval", "design_standard", "gross_slip", "sag", "tested_pressure_min", "tested_slip", "uneven_creep"]);
+const $c09e2 = new Set(["belt_safety", "belt_tension", "edge_tension", "face_pressure", "momentary_tension", "tested_pressure_max", "uneven_face_pressure", "uneven_pressure"]);
+const $c3879 = new Map([["uneven_creep", "creep"], ["uneven_pressure", "tested_pressure_max"], ["uneven_face_pressure", "face_pressure"], ["uneven_bond_stress", "bond_stress"], ["uneven_fatigue_stress", "fatigue_stress"], ["edge_tension", "belt_tension"]]);
+const $c75f4 = $made(Rule, $cfe5e, ["taut", "a belt that nowhere hangs slack", "ATTENTION", NaN, NaN, false, "number", "", true, null, "", null, null, null, null, null, null]);
+const $c13e8 = $made(Rule, $cfe5e, ["belt_thickness", "a trim without the thickness of the belt", "ATTENTION", NaN, NaN, true, "number", "", true, null, "", null, null, null, null, null, null]);
+const $c9629 = $made(Rule, $cfe5e, ["usual_sizes", "an unusual size", "ATTENTION", NaN, NaN, true, "number", "", false, null, "", null, null, null, null, null, null]);
+const $c376b = $made(Rule, $cfe5e, ["motor_heat", "the heat that a motor bears", "ATTENTION", NaN, NaN, true, "time", "", true, null, "", null, null, null, null, null, null]);
+const $c1dc5 = new Map([["gross_slip", $c84c4], ["design_standard", $c960d], ["creep", $cc27f], ["cover_creep", $cabb1], ["creep_interval", $c3e65], ["belt_tension", $c8994], ["momentary_tension", $c5c30], ["belt_safety", $c25bf], ["face_pressure", $c72eb], ["bond_stress", $ce298], ["fatigue_stress", $cb3d1], ["tested_pressure_max", $cc16f], ["tested_pressure_min", $cfecd], ["condition", $cabd6], ["fit", $c3f6d], ["tested_slip", $c5a91], ["tested_slip_speed", $c5d85], ["balance", $c0d6e], ["sag", $c8634], ["taut", $c75f4], ["pulley_diameter", $ca865], ["belt_thickness", $c13e8], ["usual_sizes", $c9629], ["motor_load", $c0dbc], ["momentary_load", $c58a5], ["motor_heat", $c376b], ["train_balance", $cb138]]);
+const $c9028 = new Map([["distributed", "distributed"], ["paper", "paper's march"]]);
+const $c450e = new WeakMap();
+const $c3f74 = ["name", "surface", "material", "life_years", "provenance"];
+const $c37a3 = [1, 2];
+const $cba33 = $made(Provenance, $c535d, ["published", "Elastotec, lagging comparison, elastotec.com.au/lagging-comparison", "", "life of ceramic: over 10 years; the vendor's own assumptions; currency not stated there, AUD assumed"]);
+const $c3f83 = $made(LaggingCost, $c3f74, ["rubber", "rubber", 625, $c37a3, $cba33]);
+const $c9cd5 = [10, 10];
+const $c3221 = $made(Provenance, $c535d, ["published", "Elastotec, lagging comparison, elastotec.com.au/lagging-comparison", "", "life of ceramic: over 10 years; the vendor's own assumptions; currency not stated there, AUD assumed"]);
+const $cf10e = $made(LaggingCost, $c3f74, ["ceramic, cold bonded", "ceramic", 4600, $c9cd5, $c3221]);
+const $ca54f = [10, 10];
+const $c6e63 = $made(Provenance, $c535d, ["published", "Elastotec, lagging comparison, elastotec.com.au/lagging-comparison", "", "life of ceramic: over 10 years; the vendor's own assumptions; currency not stated there, AUD assumed"]);
+const $ce13a = $made(LaggingCost, $c3f74, ["ceramic, hot vulcanised", "ceramic", 4950, $ca54f, $c6e63]);
+const $c2342 = [$c3f83, $cf10e, $ce13a];
+const $c838e = $made(Provenance, $c535d, ["given", "", "", "estimated: belt covers have 0.8 to 1.5 MPa (116 to 218 psi)"]);
+const $c7015 = $made(Provenance, $c535d, ["given", "", "", ""]);
+const $c7515 = $made(Provenance, $c535d, ["published", "B. DeVries, A model of lagging friction as a function of creep history and wrap pressure", "", "the conservative customary limit"]);
+const $cac76 = new Map([["entry_tension", "T1"], ["exit_tension", "T2"]]);
+const $c2862 = $re("\\.?([A-Za-z_][A-Za-z0-9_-]*)|\\[(\\d+)\\]", "");
+const $c246c = ["format", "name", "title", "description", "surface", "thickness", "elastic_modulus", "shear_modulus", "compression_modulus", "block", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "cost", "slip_speed", "temperature", "condition_factor", "law", "provenance", "sources", "notes"];
+const $c6dce = ["name", "title", "surface", "elastic_modulus", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "description"];
+const $c65ce = ["elastic_modulus", "shear_modulus", "compression_modulus", "block"];
+const $c9095 = ["thickness", "shear_modulus", "compression_modulus"];
+const $cd06c = new Map([["width", $c318b], ["height", $cd6ed], ["stiffening", $caba4], ["contact_fraction", $cbc3c]]);
+const $cf9e0 = new Map([["friction_coefficient", "friction"], ["slip_max", "tested_slip"], ["tested", "tested_pressure"], ["pieces.a", "A"], ["values", "rows"], ["peak_friction", "knots"], ["peak_slip", "knots"], ["post_peak_slope", "knots"], ["residual_friction", "knots"]]);
+const $c2f5d = new Map([["integral-log", "knots"], ["table", "rows"]]);
+const $cfe34 = $re("\\s*(?<sign>[+-])?\\s*(?<number>(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)?\\s*\\*?\\s*(?<factor>p(?:\\s*\\^\\s*(?:\\(\\s*(?<within>[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)\\s*\\)|(?<power>[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)))?|ln\\(\\s*p\\s*\\)(?:\\s*\\^\\s*(?<log_power>[123]))?|exp\\((?<exponent>(?:[^()]|\\(\\s*p\\s*\\))*)\\))?\\s*", "");
+const $c5f05 = $made(Name, $c4a10, [60]);
+const $cb374 = $made(Entry, $cc442, ["name", $c5f05, true, "", "name = \"my-lagging\"", "name", ""]);
+const $c390e5 = $made(Quantity, $cd20a, ["length", $c3f61]);
+const $c98a2 = $made(Entry, $cc442, ["thickness", $c390e5, false, "", "", "thickness", ""]);
+const $cb3db = $made(Quantity, $cd20a, ["pressure", $cc7a6]);
+const $c6b4d = $made(Entry, $cc442, ["elastic_modulus", $cb3db, false, "", "", "elastic_modulus", ""]);
+const $c0f0b = $made(Quantity, $cd20a, ["pressure", $c8b29]);
+const $c86e6 = $made(WordOr, $c6a10, ["rigid", $c0f0b, Infinity]);
+const $ce5e5 = $made(Entry, $cc442, ["shear_modulus", $c86e6, false, "", "", "shear_modulus", ""]);
+const $c6601 = $made(Quantity, $cd20a, ["pressure", $cc576]);
+const $c722b = $made(WordOr, $c6a10, ["rigid", $c6601, Infinity]);
+const $c8c8d = $made(Entry, $cc442, ["compression_modulus", $c722b, false, "", "", "compression_modulus", ""]);
+const $cd763 = $made(Quantity, $cd20a, ["wear_coefficient", $c7180]);
+const $cb25b = $made(Entry, $cc442, ["wear_coefficient", $cd763, false, "", "", "wear_coefficient", ""]);
+const $c7f3e = $made(Quantity, $cd20a, ["number", $c36e6]);
+const $c9e46 = $made(Entry, $cc442, ["belt_energy_share", $c7f3e, false, "", "", "belt_energy_share", ""]);
+const $c18fd = $made(Quantity, $cd20a, ["pressure", $c95d2]);
+const $c3531 = $made(Entry, $cc442, ["bond_strength", $c18fd, false, "", "", "bond_strength", ""]);
+const $cdb8f1 = $made(Quantity, $cd20a, ["pressure", $cc04b]);
+const $c9aeb = $made(Entry, $cc442, ["fatigue_limit", $cdb8f1, false, "", "", "fatigue_limit", ""]);
+const $cc3b8 = [$cb73a, $cb374, $cd66f, $cc3a1, $c5462, $c98a2, $c6b4d, $ce5e5, $c8c8d, $c29e5, $cb25b, $c9e46, $c3531, $c9aeb, $c03097, $c2480, $c2fb3, $c7315, $c8818, $c69c3, $c9b00, $c0a9d];
+const $cec4e = new Map([["format", $cb73a], ["name", $cb374], ["title", $cd66f], ["description", $cc3a1], ["surface", $c5462], ["thickness", $c98a2], ["elastic_modulus", $c6b4d], ["shear_modulus", $ce5e5], ["compression_modulus", $c8c8d], ["block", $c29e5], ["wear_coefficient", $cb25b], ["belt_energy_share", $c9e46], ["bond_strength", $c3531], ["fatigue_limit", $c9aeb], ["cost", $c03097], ["slip_speed", $c2480], ["temperature", $c2fb3], ["condition_factor", $c7315], ["law", $c8818], ["provenance", $c69c3], ["sources", $c9b00], ["notes", $c0a9d]]);
+const $c904b = $made(tables$Table, $cc03e, [Lagging, $cc3b8, $cec4e]);
+const $cb919 = ["compression_modulus", "block"];
+const $c3e4a = [$cb919];
+const $c31a8 = new Set(["belt_energy_share", "block", "bond_strength", "compression_modulus", "condition_factor", "cost", "elastic_modulus", "fatigue_limit", "law", "shear_modulus", "slip_speed", "temperature", "thickness", "wear_coefficient"]);
+const $ca1a4 = new RunsGain(0.0, 0.0);
+const $cf273 = ["effective_tension", "torque", "power"];
+const $c3ab3 = ["share", "speeds", "motor"];
+const $c1dc7 = ["data", "sense"];
+const $c13db = new Map([["NOT CHECKED", 0], ["OK", 1], ["ATTENTION", 2], ["FAILS", 3], ["FAULT OF THE PROGRAM", 4]]);
+const $ce5b4 = $Decimal.of("0");
+const $c0555 = [""];
+const $c2a6c = ["form", "coefficients", "sign"];
+const $ce094 = [0.0];
+const $c07bd = $made(Trend, $c2a6c, ["polynomial", $ce094, 1]);
+const $cc2ec = [1000000000.0];
+const $c07bd5 = $made(Trend, $c2a6c, ["polynomial", $cc2ec, 1]);
+const $c6e1f = new Map([["factor", $cd2d2]]);
+const $c25b9 = new Map([["x", $c9b84], ["y", $c9b84], ["diameter", $cdca4]]);
+const $cb278 = $made(Limit, $cf70d, ["force", 0.1, 1000000000.0, false, false]);
+const $cf120 = new Map([["entry", $cb6cf], ["exit", $cb278]]);
+const $cd5c6 = new Map([["creep_limit", $c2680]]);
+const $cd5c69 = new Map([["creep_limit", $c2680]]);
+const $c51f1 = $made(Limit, $cf70d, ["number", 1, 8, false, false]);
+const $c33f2 = new Map([["rated_power", $c67e0], ["rated_speed", $cb286], ["gear_ratio", $c2a89], ["gear_efficiency", $ce03b], ["motor_efficiency", $cf04b], ["count", $c51f1]]);
+const $ca384 = new Map([["rated_power", $c67e0], ["rated_speed", $cb286], ["gear_ratio", $c2a89], ["gear_efficiency", $ce03b], ["motor_efficiency", $cf04b], ["count", $c51f1], ["setting", $c44c9], ["droop", $c79a1], ["torque_limit", $c7b1d]]);
+const $c98ae = new Map([["thickness", $c3f61], ["shear_modulus", $c8b29], ["compression_modulus", $cc576], ["elastic_modulus", $cc7a6], ["wear_coefficient", $c7180], ["belt_energy_share", $c36e6], ["bond_strength", $c95d2], ["fatigue_limit", $cc04b]]);
+const $c2d26 = new Map([["ratio", $cc754]]);
+const $ce600 = new Map([["entry_tension", $cb6cf], ["exit_tension", $cb278]]);
+const $c3530 = new Map([["sheave_ratio", $cf433]]);
+const $ce0a3 = new Map([["friction", $c724b], ["start_factor", $c83ab]]);
+const $cc53c = new Map([["running", $c83ab], ["starting", $c83ab], ["braking", $c83ab]]);
+const $c2839 = ["of"];
+const $cff51 = ["key", "kind", "example", "attribute"];
+const $c1e36 = ["dimension", "least"];
+const $cb8db = ["word", "kind"];
+const $c0b27 = ["kind"];
+const $c982d = ["text"];
+const $c5f12 = ["name", "what", "missed", "at_most", "dimension", "tension", "binding", "firm", "value", "allowed", "limit", "words"];
+const $c4a2b = new Map([["steel cord", 1600000.0], ["fabric", 140000.0]]);
+const $ca5fa = new Map([["steel cord", 6.666666666666667], ["fabric", 8.0]]);
+const $cb7c2 = ["name", "what", "missed", "at_most", "dimension", "tension", "binding", "firm", "result", "value", "allowed", "limit", "words"];
+const $c7c4c = ["balance", "train_balance", "across_balance"];
+const $c3c1c = ["cover_creep", "creep_interval", "tested_slip_speed"];
+const $c5573 = ["gross_slip", "operating_point", "fight"];
+const $cc969 = ["on illustrative data", "on friction without tests", "on estimated data", "on calibrated data"];
+const $ccbad = [false, false];
+const $c3044 = [true, false];
+const $c7703 = [true, true];
+const $c9475 = [false, true];
+const $c7f7c = new Map([["polynomial", $ccbad], ["logarithmic", $c3044], ["power", $c7703], ["exponential", $c9475]]);
+const $c843e = $made(_OfClass, [], []);
+const $ca8ba = new Map([[10, null], [9, null]]);
+const $c9234 = $re("(?:ST[ -]?|(?:\\b(?:EP|EE|NN|PN|NP|PP|EB)[ -]?|^)(?=\\d+/\\d))(\\d{3,5})\\b", "");
+const $c992e = [80.0, 1.92];
+const $c3a02 = [90.0, 1.86];
+const $c1038 = [100.0, 1.78];
+const $cbcd2 = [120.0, 1.7];
+const $c006c = [140.0, 1.63];
+const $ce3cb = [160.0, 1.56];
+const $c5cce = [180.0, 1.5];
+const $cb969 = [200.0, 1.45];
+const $c6d8dc = [250.0, 1.38];
+const $c7781 = [300.0, 1.31];
+const $c7f11 = [350.0, 1.27];
+const $c60b9 = [400.0, 1.25];
+const $c509f = [450.0, 1.22];
+const $c58f0 = [500.0, 1.2];
+const $cd0c9 = [550.0, 1.18];
+const $cfa11 = [600.0, 1.17];
+const $cb861 = [700.0, 1.14];
+const $c55cd = [800.0, 1.12];
+const $cf10c = [900.0, 1.1];
+const $cd2d7 = [1000.0, 1.09];
+const $cd984 = [1500.0, 1.06];
+const $c7865 = [2000.0, 1.05];
+const $c2838 = [$c992e, $c3a02, $c1038, $cbcd2, $c006c, $ce3cb, $c5cce, $cb969, $c6d8dc, $c7781, $c7f11, $c60b9, $c509f, $c58f0, $cd0c9, $cfa11, $cb861, $c55cd, $cf10c, $cd2d7, $cd984, $c7865];
+const $caac6 = $made(Limit, $cf70d, ["number", 0.0, Infinity, false, false]);
+const $cbd59 = $made(Limit, $cf70d, ["number", 1.0, Infinity, false, false]);
+const $c9bd3 = new Map([["residual_noise", $caac6], ["coverage_factor", $cbd59]]);
+const $c29b0 = $re("knots\\[([0-9]{1,4})\\]\\.(peak_slip|peak_friction)", "");
+const $ce5b4b = $Decimal.of("0");
+const $cf7bc = new Map([["misalignment", $cbde1], ["deflection", $c94dd]]);
+const $c7ba7 = new Map([["diameter", $cd632], ["wrap_angle", $c1cfe], ["overrun", $cd18d], ["creep_limit", $c2680], ["mass", $c7194]]);
+const $c2d0e = new Map([["spacing", $c716b], ["line_mass", $c8e89], ["share", $c5904]]);
+const $c75fc = new Map([["material", $c78fc], ["installation", $c92d0], ["area", $c0c54]]);
+const $c6657 = $made(Limit, $cf70d, ["number", 0.0, 10.0, true, false]);
+const $c6e1f0 = new Map([["factor", $c6657]]);
+const $c19bc = new Map([["rated_power", $c67e0], ["rated_speed", $cb286], ["gear_ratio", $c2a89], ["gear_efficiency", $ce03b], ["motor_efficiency", $cf04b], ["count", $c51f1], ["synchronous_speed", $c065a], ["breakdown_ratio", $c8688]]);
+const $c56ea = new Map([["length", $c96f8], ["trough_angle", $cd50c], ["centre_roll", $c3fe0]]);
+const $c1790 = ["dimension", "within"];
+const $cdba3 = ["words"];
+const $cc8d3 = [0.016, 0.03];
+const $cfa4c = new Map([["distance", $c29d2]]);
+const $cf701 = $made(Limit, $cf70d, ["number", 0.0, 10.0, true, false]);
+const $c7f0e = $made(Quantity, $cd20a, ["number", $cf701]);
+const $c7fde = $made(Limit, $cf70d, ["rotation_speed", 0.0, Infinity, true, false]);
+const $c3520 = $made(Quantity, $cd20a, ["rotation_speed", $c7fde]);
+const $c87f2 = $made(Either, $cab55, [$c7f0e, $c3520, "a trim like \"99.7 %\" or a drum speed like \"71.6 rpm\""]);
+const $cd950 = $made(Rows, $ce552, [$c87f2, 1, 10]);
 Problem.$compared = Problem.$names;
 $sig(InputError, ["problems"], false);
 $sig(Report, ["file"], false);
@@ -9477,10 +9476,10 @@ $sig(Record, ["values", "place", "raw", "faulty"], false);
 Provenance.$compared = Provenance.$names;
 $sig(Laggings, ["own", "folder", "allow_paths", "report"], false);
 Condition.$compared = Condition.$names;
-Condition.LIMITS = Condition.prototype.LIMITS = $c114;
+Condition.LIMITS = Condition.prototype.LIMITS = $c6e1f;
 Conditions.$compared = Conditions.$names;
 Point.$compared = Point.$names;
-Point.LIMITS = Point.prototype.LIMITS = $c115;
+Point.LIMITS = Point.prototype.LIMITS = $c25b9;
 $sig(_UnitTextError, ["message", "remedy"], false);
 Unit.$compared = Unit.$names;
 UnitRow.$compared = UnitRow.$names;
@@ -9491,12 +9490,12 @@ Given.$compared = Given.$names;
 $sig(Given.prototype.overridden, ["record", "fixed", "speed", "runs"], false);
 NipTensions.$compared = NipTensions.$names;
 Tensions.$compared = ["entry", "exit"];
-Tensions.LIMITS = Tensions.prototype.LIMITS = $c116;
+Tensions.LIMITS = Tensions.prototype.LIMITS = $cf120;
 LoadCase.$compared = LoadCase.$names;
 Drive.$compared = ["title", "belt", "pulleys", "load_cases", "creep_limit", "criteria", "description"];
-Drive.LIMITS = Drive.prototype.LIMITS = $c117;
+Drive.LIMITS = Drive.prototype.LIMITS = $cd5c6;
 Train.$compared = Train.$names;
-Train.LIMITS = Train.prototype.LIMITS = $c118;
+Train.LIMITS = Train.prototype.LIMITS = $cd5c69;
 $sig(Reader, ["record", "belt", "pulleys", "report", "take_up"], false);
 CatalogueBelt.$compared = CatalogueBelt.$names;
 WrapArc.$compared = WrapArc.$names;
@@ -9507,7 +9506,7 @@ in_page$Criteria.$compared = in_page$Criteria.$names;
 Place.$compared = Place.$names;
 Motors.$compared = Motors.$names;
 Motor.$compared = Motor.$names;
-Motor.LIMITS = Motor.prototype.LIMITS = $c119;
+Motor.LIMITS = Motor.prototype.LIMITS = $c33f2;
 Check.$compared = Check.$names;
 Pulls.$compared = Pulls.$names;
 Shares.$compared = Shares.$names;
@@ -9516,7 +9515,7 @@ Speeds.$compared = Speeds.$names;
 Owner.$compared = Owner.$names;
 Sliding.$compared = Sliding.$names;
 VariableSpeed.$compared = VariableSpeed.$names;
-VariableSpeed.LIMITS = VariableSpeed.prototype.LIMITS = $c120;
+VariableSpeed.LIMITS = VariableSpeed.prototype.LIMITS = $ca384;
 Sizes.$compared = Sizes.$names;
 Figure.$compared = Figure.$names;
 Asked.$compared = Asked.$names;
@@ -9544,59 +9543,59 @@ IntegralLog.$compared = IntegralLog.$names;
 IntegralLog.title = IntegralLog.prototype.title = "integral-log law";
 Factors.$compared = Factors.$names;
 Lagging.$compared = ["name", "law", "thickness", "shear_modulus", "compression_modulus", "title", "condition", "surface", "elastic_modulus", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "cost", "fit", "factors", "condition_factors", "provenance", "sources", "notes", "description"];
-Lagging.LIMITS = Lagging.prototype.LIMITS = $c121;
+Lagging.LIMITS = Lagging.prototype.LIMITS = $c98ae;
 LoadGiven.$compared = LoadGiven.$names;
 DrumAt.$compared = DrumAt.$names;
 Pair.$compared = Pair.$names;
 TorqueFollower.$compared = TorqueFollower.$names;
-TorqueFollower.LIMITS = TorqueFollower.prototype.LIMITS = $c122;
+TorqueFollower.LIMITS = TorqueFollower.prototype.LIMITS = $c2d26;
 TrainCase.$compared = TrainCase.$names;
-TrainCase.LIMITS = TrainCase.prototype.LIMITS = $c123;
+TrainCase.LIMITS = TrainCase.prototype.LIMITS = $ce600;
 RunsGain.$compared = RunsGain.$names;
 BehindTakeUp.$compared = BehindTakeUp.$names;
 Description.$compared = Description.$names;
 CompactLaw.$compared = CompactLaw.$names;
 TakeUp.$compared = TakeUp.$names;
-TakeUp.LIMITS = TakeUp.prototype.LIMITS = $c124;
+TakeUp.LIMITS = TakeUp.prototype.LIMITS = $c3530;
 DesignStandard.$compared = DesignStandard.$names;
-DesignStandard.LIMITS = DesignStandard.prototype.LIMITS = $c125;
+DesignStandard.LIMITS = DesignStandard.prototype.LIMITS = $ce0a3;
 SafetyFactors.$compared = SafetyFactors.$names;
-SafetyFactors.LIMITS = SafetyFactors.prototype.LIMITS = $c126;
+SafetyFactors.LIMITS = SafetyFactors.prototype.LIMITS = $cc53c;
 $sig(Kind.prototype.built, ["value", "report"], true);
 $sig(tables$Table, null);
 $sig(tables$Table.prototype.built, ["value", "report"], true);
 Limit.$compared = Limit.$names;
 Belt.$compared = Belt.$names;
-Belt.LIMITS = Belt.prototype.LIMITS = $c4;
+Belt.LIMITS = Belt.prototype.LIMITS = $ca32a;
 Across.$compared = Across.$names;
-Across.LIMITS = Across.prototype.LIMITS = $c874;
+Across.LIMITS = Across.prototype.LIMITS = $cf7bc;
 DimensionText.$compared = DimensionText.$names;
 Definition.$compared = Definition.$names;
 $sig(Variant, ["tag", "meaning"], false);
 $sig(Variant.prototype.built, ["value", "report"], true);
 Pulley.$compared = Pulley.$names;
-Pulley.LIMITS = Pulley.prototype.LIMITS = $c875;
+Pulley.LIMITS = Pulley.prototype.LIMITS = $c7ba7;
 Sag.$compared = Sag.$names;
 Sag.SOURCE = Sag.prototype.SOURCE = "belt sag: T = m' g l/(8 h), a parabola; the rule of DIN 22101 and of CEMA, Belt Conveyors for Bulk Materials (6.25 S W for 2 %, 4.2 S W for 3 %)";
-Sag.LIMITS = Sag.prototype.LIMITS = $c876;
+Sag.LIMITS = Sag.prototype.LIMITS = $c2d0e;
 Conveyor.$compared = Conveyor.$names;
-Conveyor.LIMITS = Conveyor.prototype.LIMITS = $c63;
+Conveyor.LIMITS = Conveyor.prototype.LIMITS = $ccebb;
 DesignFriction.$compared = DesignFriction.$names;
 LaggingCost.$compared = LaggingCost.$names;
 Cost.$compared = Cost.$names;
-Cost.LIMITS = Cost.prototype.LIMITS = $c877;
+Cost.LIMITS = Cost.prototype.LIMITS = $c75fc;
 Block.$compared = Block.$names;
-Block.LIMITS = Block.prototype.LIMITS = $c89;
+Block.LIMITS = Block.prototype.LIMITS = $cd06c;
 ConditionFactor.$compared = ConditionFactor.$names;
-ConditionFactor.LIMITS = ConditionFactor.prototype.LIMITS = $c878;
+ConditionFactor.LIMITS = ConditionFactor.prototype.LIMITS = $c6e1f0;
 FrictionFactor.$compared = FrictionFactor.$names;
 Fit.$compared = Fit.$names;
 Induction.$compared = Induction.$names;
-Induction.LIMITS = Induction.prototype.LIMITS = $c879;
+Induction.LIMITS = Induction.prototype.LIMITS = $c19bc;
 FluidCoupling.$compared = FluidCoupling.$names;
 Load.$compared = Load.$names;
 Transition.$compared = Transition.$names;
-Transition.LIMITS = Transition.prototype.LIMITS = $c880;
+Transition.LIMITS = Transition.prototype.LIMITS = $c56ea;
 conveyor$State.$compared = conveyor$State.$names;
 Resistance.$compared = Resistance.$names;
 Miss.$compared = Miss.$names;
@@ -9606,10 +9605,10 @@ $sig(Profile, ["dimension", "diameters"], false);
 Profile.words = Profile.prototype.words = "rows, or a table";
 $sig(_Pair, ["dimension"], false);
 GrippingPulley.$compared = GrippingPulley.$names;
-GrippingPulley.LIMITS = GrippingPulley.prototype.LIMITS = $c1597;
+GrippingPulley.LIMITS = GrippingPulley.prototype.LIMITS = $cfa4c;
 Either.$compared = Either.$names;
 SpeedList.$compared = SpeedList.$names;
-SpeedList.rows = SpeedList.prototype.rows = $c1598;
+SpeedList.rows = SpeedList.prototype.rows = $cd950;
 $sig(sheet__row_of, null);
 $sig(sheet__between, ["name", "first", "last", "form"], false);
 export { drive_file__drive_from_document as readDrive };

@@ -29,6 +29,7 @@ const SILENT = 10_000;
 /** Pauses between questions whether it is there again [ms]: each twice the one before. */
 const FIRST = 1000;
 const LAST = 5000;
+export const AGAIN = "Asked again every 5 s.";
 
 /**
  * @typedef {{method?: string, signal?: AbortSignal}} Asked

@@ -1,6 +1,6 @@
 // Opening a file: what a TOML file is, and where it belongs. Fetched when the first is opened.
 import { turnTo } from "../base/address.js";
-import { app, change, isDrive, redraw } from "../base/design.js";
+import { app, isDrive, putLagging, redraw, set } from "../base/design.js";
 import { open } from "../base/drafts.js";
 import { Advice, ask, note, part } from "../base/server.js";
 
@@ -45,11 +45,7 @@ const OPEN = {
   },
   async lagging(_, __, text) {
     const { name, lagging } = await ask("lagging/read", { toml: text });
-    const pulley = app.doc.pulley.map((p, i) => {
-      const { condition, ...rest } = p;
-      return i === app.pulley ? { ...rest, lagging: name } : p;
-    });
-    change({ ...app.doc, lagging: { ...app.doc.lagging, [name]: lagging }, pulley });
+    putLagging(app.pulley, name, set(app.doc, ["lagging", name], lagging));
     note(`The lagging ${name} is on the pulley now.`);
   },
   async study(doc, name) {

@@ -1,7 +1,7 @@
 // The frame that holds the pages.
 import { app, redraw } from "../base/design.js";
 import { draftTitle, forgetDraft, offered, openDraft } from "../base/drafts.js";
-import { askAgain, GONE, part } from "../base/server.js";
+import { AGAIN, askAgain, GONE, part } from "../base/server.js";
 import { Component, h } from "../vendor/preact.js";
 import { PAGES } from "./registry.js";
 import { views } from "./tabs.js";
@@ -61,7 +61,7 @@ function bars() {
 const KEPT = " The drive, as typed, is kept in this browser.";
 /** @typedef {[string, string, string, () => void]} Bar */
 /** @type {Bar} */
-const GONE_BAR = [GONE, "Asked again every 5 s.", "Ask now", askAgain];
+const GONE_BAR = [GONE, AGAIN, "Ask now", askAgain];
 const reload = () => location.reload();
 /** @type {Bar} */
 const NEWER = ["The calculator is of another version now.", "", "Reload", reload];

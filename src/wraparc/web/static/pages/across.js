@@ -4,7 +4,7 @@ import { aborted, ask, later, onReturn, refusal } from "../base/server.js";
 import { words } from "../base/units.js";
 import { judgedIf, list, standing, stands, table, verdict } from "../parts/answers.js";
 import { choose } from "../parts/choose.js";
-import { checked, framed, marked, saying, silent } from "../parts/framed.js";
+import { checked, framed, marked, renewed, saying, silent } from "../parts/framed.js";
 import { mark } from "../parts/problems.js";
 import { h } from "../vendor/preact.js";
 import { acrossInputs, drawGiven, drawingOf } from "./across/inputs.js";
@@ -14,7 +14,7 @@ import { askedCase } from "./drive/cases.js";
 import { picks as casePicks } from "./drive/screen.js";
 
 /** @import { Refused } from "../parts/framed.js" */
-/** @import { Design, Problem, Table } from "../types.d.ts" */
+/** @import { Design, Table } from "../types.d.ts" */
 
 const state = {
   answer: /** @type {any} */ (null),
@@ -23,17 +23,12 @@ const state = {
   opened: -1,
   /** What the answer is of. */
   now: /** @type {unknown[]} */ ([]),
-  problems: /** @type {Problem[]} */ ([]),
-  refused: /** @type {Refused} */ (""),
+  problems: /** @type {Refused} */ ([]),
   quantity: "frictional_energy",
   waiting: false,
 };
 export function update() {
-  const { opened } = app;
-  if (state.opened !== opened) {
-    Object.assign(state, { opened, answer: null, problems: [] });
-    drawGiven(app.pulley);
-  }
+  if (renewed(state, { answer: null, problems: [] })) drawGiven(app.pulley);
   const where = `${app.pulley} ${app.case}`;
   if ((state.of === app.doc && state.where === where) || gripped()) return;
   Object.assign(state, { of: app.doc, where, waiting: true });
@@ -59,8 +54,7 @@ const solve = later(250, async (/** @type {Design} */ doc, /** @type {string} */
     mark([]);
   } catch (x) {
     if (aborted(x) || app.gone || doc !== app.doc) return;
-    const problems = refusal(x);
-    Object.assign(state, { problems, refused: marked(problems), waiting: false });
+    Object.assign(state, { problems: marked(refusal(x)), waiting: false });
   }
   redraw();
 });
@@ -80,7 +74,7 @@ export const Page = () => {
       say:
         a?.even && now() === "fresh"
           ? silent("Draw the wear, or load readings.")
-          : saying(now(), a?.verdict, undefined, null, state.refused),
+          : saying(now(), a?.verdict, undefined, null, state.problems),
       drawing: drawingOf(app.pulley),
       curve: a?.map && picture(a),
       side: a && checked("across", a.bars),

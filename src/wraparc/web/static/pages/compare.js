@@ -6,6 +6,7 @@ import { PAGES } from "../frame/registry.js";
 import { badge, list, refused, scroll, standing, stands } from "../parts/answers.js";
 import { Box } from "../parts/box.js";
 import { oneOf } from "../parts/choose.js";
+import { renewed } from "../parts/framed.js";
 import { place } from "../parts/problems.js";
 import { numberOf } from "../parts/question.js";
 import { h } from "../vendor/preact.js";
@@ -40,8 +41,7 @@ const pinned = new Set();
 
 /** Ask anew where the drive, or what is asked of it, is another. */
 export function update() {
-  const { opened } = app;
-  if (state.opened !== opened) Object.assign(state, { opened, answer: null, problems: [] });
+  renewed(state, { answer: null, problems: [] });
   const key = [app.doc, app.pulley, app.case, JSON.stringify(asked)];
   if (key.every((k, i) => k === state.of[i])) return;
   state.of = key;

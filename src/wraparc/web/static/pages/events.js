@@ -5,7 +5,7 @@ import { words } from "../base/units.js";
 import { judgedIf, list, refused, standing, stands, table, verdict } from "../parts/answers.js";
 import { Box } from "../parts/box.js";
 import { choose } from "../parts/choose.js";
-import { checked, framed, marked, notComputed, saying, silent } from "../parts/framed.js";
+import { checked, framed, marked, notComputed, renewed, saying, silent } from "../parts/framed.js";
 import { mark } from "../parts/problems.js";
 import { h } from "../vendor/preact.js";
 import { assumed, events, motionInputs } from "./events/inputs.js";
@@ -21,8 +21,7 @@ import { steady } from "./events/steady.js";
 
 const plan = { event: "", points: "60", step: "", over: "droop" };
 const state = {
-  problems: /** @type {Problem[]} */ ([]),
-  refused: /** @type {Refused} */ (""),
+  problems: /** @type {Refused} */ ([]),
   jobs: /** @type {Record<What, Job | null>} */ ({ run: null, stability: null, map: null }),
   opened: -1,
   timer: 0,
@@ -32,13 +31,8 @@ const state = {
 export function update() {
   const names = events().map(([n]) => n);
   if (!names.includes(plan.event)) plan.event = names[0] || "";
-  if (state.opened === app.opened) return;
-  state.opened = app.opened;
-  Object.assign(state, {
-    problems: [],
-    jobs: { run: null, stability: null, map: null },
-    done: null,
-  });
+  const jobs = { run: null, stability: null, map: null };
+  renewed(state, { problems: [], jobs, done: null });
 }
 onReturn(() => void follow());
 
@@ -54,8 +48,7 @@ async function begin(what) {
     state.jobs[what] = { ...job, ...known };
     mark([]);
   } catch (x) {
-    state.problems = refusal(x);
-    state.refused = marked(state.problems);
+    state.problems = marked(refusal(x));
   }
   if (old) await forget(old);
   await follow();
@@ -135,7 +128,7 @@ function says(run) {
   const job = state.jobs.run;
   if (job && busy(job)) return silent(`Following ${job.title} …`, progress(job), cancelling(job));
   if (job?.state === "failed") return notComputed("Not followed.", job.problems, again());
-  if (state.problems.length) return notComputed("Not followed.", state.refused, again());
+  if (state.problems.length) return notComputed("Not followed.", state.problems, again());
   if (job?.state === "cancelled") return silent("Cancelled.", "", again());
   if (!run) return silent(`Does it hold at ${plan.event}? Not run yet.`, "", again());
   if (now(run) === "fresh") return saying("fresh", run.run.verdict);

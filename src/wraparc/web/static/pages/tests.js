@@ -1,6 +1,6 @@
 // Shear tests: machine files to a lagging file.
 import { turnTo } from "../base/address.js";
-import { app, change, redraw } from "../base/design.js";
+import { app, putLagging, redraw, set } from "../base/design.js";
 import { act, note, refusal, save, sentence } from "../base/server.js";
 import { words } from "../base/units.js";
 import { list, refused, standing, stands, table } from "../parts/answers.js";
@@ -95,12 +95,8 @@ async function download() {
 }
 function use() {
   const { name, lagging } = /** @type {Fit} */ (state.result);
-  const pulley = app.doc.pulley.map((p, i) => {
-    const { condition, ...rest } = p;
-    return i === app.pulley ? { ...rest, lagging: name } : p;
-  });
-  change({ ...app.doc, lagging: { ...app.doc.lagging, [name]: lagging }, pulley });
-  note(`The lagging ${name} is on pulley ${pulley[app.pulley].name} now.`);
+  putLagging(app.pulley, name, set(app.doc, ["lagging", name], lagging));
+  note(`The lagging ${name} is on pulley ${app.doc.pulley[app.pulley].name} now.`);
   turnTo("drive");
   redraw();
 }

@@ -5,7 +5,16 @@ import { percent, show, shown, words } from "../base/units.js";
 import { behind } from "../frame/header.js";
 import { PAGES } from "../frame/registry.js";
 import { judgedIf, list, standing, stands, table, verdict } from "../parts/answers.js";
-import { checked, facts, framed, leadOf, marked, saying, silent } from "../parts/framed.js";
+import {
+  checked,
+  facts,
+  framed,
+  leadOf,
+  marked,
+  renewed,
+  saying,
+  silent,
+} from "../parts/framed.js";
 import { mark } from "../parts/problems.js";
 import { h } from "../vendor/preact.js";
 import { picks as casePicks, rank } from "./drive/screen.js";
@@ -16,7 +25,7 @@ import { matchingPlots } from "./train/plots.js";
 import { changes, reasons, shareBar, trimStrip } from "./train/strips.js";
 
 /** @import { Refused } from "../parts/framed.js" */
-/** @import { Design, Problem, Table } from "../types.d.ts" */
+/** @import { Design, Table } from "../types.d.ts" */
 
 const state = {
   answer: /** @type {any} */ (null),
@@ -24,8 +33,7 @@ const state = {
   doc: /** @type {Design | null} */ (null),
   of: /** @type {Design | null} */ (null),
   opened: -1,
-  problems: /** @type {Problem[]} */ ([]),
-  refused: /** @type {Refused} */ (""),
+  problems: /** @type {Refused} */ ([]),
   /** How exactly drives must be matched, by load case and drive. */
   matched: /** @type {Record<string, any>} */ ({}),
   matching: "",
@@ -37,8 +45,8 @@ const trimmed = () => app.doc.pulley.slice(1).map((p) => p.name || "");
 export function update() {
   const names = trimmed();
   if (!names.includes(state.drive)) state.drive = names[0] || "";
-  const { opened, doc } = app;
-  if (state.opened !== opened) Object.assign(state, { opened, answer: null, matched: {} });
+  const { doc } = app;
+  renewed(state, { answer: null, matched: {} });
   if (state.of === doc || gripped()) return;
   state.of = doc;
   if (several()) solve(app.doc);
@@ -60,8 +68,7 @@ const solve = later(200, async (/** @type {Design} */ doc) => {
     mark([]);
   } catch (x) {
     if (aborted(x) || app.gone || doc !== app.doc) return;
-    state.problems = refusal(x);
-    state.refused = marked(state.problems);
+    state.problems = marked(refusal(x));
   }
   redraw();
 });
@@ -104,9 +111,15 @@ export const Page = () => {
       how: c && how === "fresh" ? standing(Boolean(known()), answer.problems) : how,
       form: trainInputs(a),
       say: c
-        ? saying(how, a.judged[a.load_cases.indexOf(c)], more(a, c, m), action(a, c), state.refused)
+        ? saying(
+            how,
+            a.judged[a.load_cases.indexOf(c)],
+            more(a, c, m),
+            action(a, c),
+            state.problems,
+          )
         : several()
-          ? saying(how, /** @type {any} */ (null), "", null, state.refused)
+          ? saying(how, /** @type {any} */ (null), "", null, state.problems)
           : silent("One pulley carries the whole load.", "", adding()),
       drawing: c ? loadCase(c) : !several() && h("p", { class: "help intro" }, SHARED),
       curve: c && [

@@ -52,6 +52,14 @@ export const framed = ({ of, form, say, drawing, curve, hero, side, how, tall },
     fold(`${of}-details`, undefined, h("div", { class: "details" }, ...below)),
   );
 
+/** What a page keeps of a drive, begun anew where another was opened; whether it was.
+ * @param {{opened: number}} state @param {object} fresh */
+export function renewed(state, fresh) {
+  const { opened } = app;
+  const other = state.opened !== opened;
+  if (other) Object.assign(state, fresh, { opened });
+  return other;
+}
 /** Nothing is answered yet. @param {string} text @param {Children} [more]
  * @param {Children} [action] */
 export const silent = (text, more, action) => said("", text, more ?? "", action, "", null, null);

@@ -1,5 +1,5 @@
 // Creep by source: a bar for each method.
-import { trim } from "../base/units.js";
+import { title, trim } from "../base/units.js";
 import { attr, each, fixed, fresh, hatches, put, roundStep, s, say, ticks } from "./svg.js";
 
 const ROW = 34;
@@ -64,7 +64,7 @@ export class Budget {
     this.key = key;
     const middle = (left + wide - RIGHT) / 2;
     attr(this.axis, { x: middle, y: base + 33 });
-    say(this.axis, `Creep at exit [${unit}]${near ? "; dotted: the creep limit" : ""}`);
+    say(this.axis, `${title("exit_creep")} [${unit}]${near ? "; dotted: the creep limit" : ""}`);
     attr(this.limit, { d: near ? `M${X(limit)} 2V${base}` : "" });
     const parts = bars.flatMap((b, i) => {
       let [up, down] = [0, 0];

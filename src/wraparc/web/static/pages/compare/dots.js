@@ -1,5 +1,5 @@
 // What a comparison comes to in one picture: creep against cost, a dot for each row.
-import { trim, unit } from "../../base/units.js";
+import { title, trim, unit } from "../../base/units.js";
 import { put, roundStep, s, ticks } from "../../plots/svg.js";
 import { Component, createRef, h } from "../../vendor/preact.js";
 
@@ -77,10 +77,14 @@ function picture(dots, money, wide) {
         s("text", { x: LEFT - 5, y: Y(v) + 4, class: "ty" }, trim(v)),
       ]),
       s("path", { d: `M${LEFT} ${Y(limit)}H${right}`, class: "limit" }),
-      s("text", { x: right, y: Y(limit) - 4, class: "ty" }, `creep limit ${trim(limit, 3)} ${u}`),
+      s(
+        "text",
+        { x: right, y: Y(limit) - 4, class: "ty" },
+        `${title("creep_limit").toLowerCase()} ${trim(limit, 3)} ${u}`,
+      ),
       dots.map((d) => dot(d, X(d.cost), Y(Math.abs(d.creep) / f), right)),
       s("text", { x: (LEFT + right) / 2, y: TALL - 8, class: "al" }, `Cost over the years${money}`),
-      s("text", upright, `Creep at exit [${u}]`),
+      s("text", upright, `${title("exit_creep")} [${u}]`),
     ),
   ];
 }

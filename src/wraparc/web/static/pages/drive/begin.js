@@ -24,6 +24,7 @@ export const strands = () =>
       class: "typed",
       role: "group",
       "aria-label": "Load",
+      key: `load${app.opened}`, // another drive: its boxes are other ones
       ref: reached,
       onfocusout: () => setTimeout(redraw),
     },

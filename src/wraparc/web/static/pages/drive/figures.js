@@ -67,14 +67,14 @@ function lateFigures(arc) {
   const ratio = m.creep_limit_capacity;
   return [
     {
-      name: "Margin to the creep limit",
+      name: title("creep_limit_margin"),
       value: digits(m.creep_limit_margin),
       small: ratio == null || Number.isNaN(ratio) ? "" : `carries a ratio of ${digits(ratio)}`,
       late: true,
     },
     { name: "Least slack-side tension", ...least, late: true },
     {
-      name: "Equivalent friction",
+      name: title("equivalent_friction"),
       value: digits(m.equivalent_friction),
       small: "at the creep limit, beside CEMA, DIN",
       late: true,
@@ -95,7 +95,7 @@ export function figures(arc) {
   const solved = arc.status === "solved";
   const share = Math.abs(n.exit_creep) / limit;
   const creep = {
-    name: "Creep at exit",
+    name: title("exit_creep"),
     value: solved ? shown("exit_creep", n.exit_creep) : "–",
     small: solved
       ? `${percent(share)} of the limit ${show(limit, "length")}${interval(n)}`

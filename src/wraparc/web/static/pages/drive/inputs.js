@@ -1,6 +1,6 @@
 // The inputs of a drive: load first, then pulley, lagging, belt, load cases, the drive as a whole.
 
-import { app, blank, change, get, painted, redraw, set } from "../../base/design.js";
+import { app, blank, change, get, painted, putLagging, redraw, set } from "../../base/design.js";
 import { part } from "../../base/server.js";
 import { viewed, words } from "../../base/units.js";
 import { field, idOf, spec } from "../../parts/field.js";
@@ -91,17 +91,6 @@ export function laggingChoices(i) {
     },
   ];
 }
-/** Another lagging on a pulley: a condition of the one before means nothing for it.
- * @param {number} i @param {string} name */
-export const putLagging = (i, name) =>
-  change(
-    set(
-      set(app.doc, ["pulley", i, "lagging"], name || undefined),
-      ["pulley", i, "condition"],
-      undefined,
-    ),
-  );
-
 /** The lagging of a pulley by name, and what is known of where its numbers come from.
  * @param {number} i */
 function laggingPick(i) {

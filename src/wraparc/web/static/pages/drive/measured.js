@@ -1,5 +1,5 @@
 // A measured drive: what the record of an instrumented pulley says of the friction.
-import { app, caseNames, change, redraw, set } from "../../base/design.js";
+import { app, caseNames, putLagging, redraw, set } from "../../base/design.js";
 import { note, save } from "../../base/server.js";
 import { choose } from "../../parts/choose.js";
 import { Question } from "../../parts/question.js";
@@ -44,8 +44,7 @@ async function take(e) {
 /** Put the calibrated lagging into the drive. @param {any} lagging */
 function use(lagging) {
   const { name, ...table } = lagging;
-  const doc = set(app.doc, ["lagging", name], table);
-  change(set(doc, ["pulley", app.pulley, "lagging"], name));
+  putLagging(app.pulley, name, set(app.doc, ["lagging", name], table));
   note(`${name} is in the drive now; Undo takes it out again.`);
 }
 /** @param {any} found */

@@ -13,7 +13,7 @@ import {
   undo,
   wrong,
 } from "../../base/design.js";
-import { act, askAgain, GONE, note, part, sentence } from "../../base/server.js";
+import { AGAIN, act, askAgain, GONE, note, part, sentence } from "../../base/server.js";
 import {
   digits,
   dimensionOf,
@@ -187,7 +187,7 @@ export class Screen extends Component {
         ),
         this.checks(arc, begin?.beside),
       ),
-      foot(arc, cut() && !silent() && [gone(AGAIN), askNow()]),
+      foot(arc, cut() && !silent() && [gone(SAFE), askNow()]),
       questions(),
       this.below(arc),
     );
@@ -319,7 +319,7 @@ export const said = (level, text, more, action, all = "", alert = null, id = "ve
 /** @param {QuickAnswer | null} arc @param {boolean} refused */
 function verdict(arc, refused) {
   if (refused) return notComputed(arc !== null);
-  if (silent()) return said("", gone(arc && "These are the last results."), AGAIN, askNow());
+  if (silent()) return said("", gone(arc && "These are the last results."), SAFE, askNow());
   if (!arc) return said("", "Solving …", "");
   const how = stood();
   if (how !== "fresh") return said("", "Solving …", BELOW);
@@ -343,12 +343,12 @@ function besides(one) {
   return also[0] && `Also not kept: ${few(also.map((b) => b.title))}.`;
 }
 /** @param {QuickAnswer} arc */
-const creepOf = ({ numbers, creep_limit, status }) =>
-  status === "solved"
-    ? `${title("exit_creep")} ${shown("exit_creep", Math.abs(numbers.exit_creep))}, ` +
-      `${percent(Math.abs(numbers.exit_creep) / creep_limit)} of the limit.`
+const creepOf = (arc) =>
+  arc.status === "solved"
+    ? `${title("exit_creep")} ${shown("exit_creep", Math.abs(arc.numbers.exit_creep))}, ` +
+      `${percent(use(arc))} of the limit.`
     : "Gross slip.";
-const AGAIN = "Asked again every 5 s. Nothing typed is lost.";
+const SAFE = `${AGAIN} Nothing typed is lost.`;
 /** @param {Children} more */
 const gone = (more) => h("span", { class: "gone", role: "alert" }, GONE, " ", more);
 const askNow = () =>
@@ -390,7 +390,7 @@ function nameOf(key) {
 }
 const LEVELS = ["OK", "ATTENTION", "FAILS", "FAULT OF THE PROGRAM"];
 export const rank = (/** @type {{level: Level}} */ a) => LEVELS.indexOf(a.level);
-const use = (/** @type {FullArc} */ a) =>
+const use = (/** @type {QuickAnswer | FullArc} */ a) =>
   a.status === "solved" ? Math.abs(a.numbers.exit_creep) / a.creep_limit : Infinity;
 /** Which comes off worse, as the program has it. @param {FullArc} a @param {FullArc} b */
 const worseThan = (a, b) => rank(b) - rank(a) || a.order - b.order;
@@ -795,7 +795,7 @@ const figure = (key, n) =>
 function creepLevel(arc) {
   if (arc.status !== "solved") return "FAILS";
   if (arc.levels.creep && !arc.own) return arc.levels.creep;
-  return Math.abs(arc.numbers.exit_creep) > arc.creep_limit ? "ATTENTION" : "OK";
+  return use(arc) > 1 ? "ATTENTION" : "OK";
 }
 /** What stands in the hub: one number, and what it is held against.
  * @param {QuickAnswer | null} arc */
@@ -805,9 +805,8 @@ function hub(arc) {
   const { numbers: n, creep_limit: limit } = arc;
   if (arc.status !== "solved") return ["gross slip", "slips", "", "no state at rest", ""];
   const turns = n.effective_tension < 0 ? "brakes; " : n.effective_tension ? "" : "idles; ";
-  const head = `${turns}creep at exit`;
-  const creep = Math.abs(n.exit_creep);
-  return [head, digits(creep / f), u, `limit ${show(limit, "length")}`, percent(creep / limit)];
+  const creep = digits(Math.abs(n.exit_creep) / f);
+  return [`${turns}creep at exit`, creep, u, `limit ${show(limit, "length")}`, percent(use(arc))];
 }
 /** @param {QuickAnswer | null} arc @param {string} q @returns {CurveData} */
 function curveData(arc, q) {

@@ -1,5 +1,5 @@
 // Answers: one arc while the hand moves, by the page itself where it can; all once it rests.
-import { app, caseNames, gripped, painted, redraw } from "../../base/design.js";
+import { app, caseNames, gripped, painted, redraw, wrong } from "../../base/design.js";
 import { aborted, ask, later, onReturn, part, refusal } from "../../base/server.js";
 import { mark } from "../../parts/problems.js";
 import { askedCase } from "./cases.js";
@@ -83,18 +83,22 @@ document.addEventListener("complete", async () => {
 });
 /** The solver of the page, once it is there. */
 export const solver = () => own;
+/** What was marked of what was asked before: what another page has marked since stays.
+ * @type {unknown} */
+let before;
 /** Ask for what the present document lacks; called after every change. */
 export function solve() {
   const key = [app.doc, app.pulley, app.case];
   if (key.every((k, i) => k === asked[i])) return rest();
   const documentChanged = asked[0] !== app.doc;
+  before = wrong.at;
   asked = key;
   answer.quickDoc = null;
   if (app.opened !== openedAs) {
     openedAs = app.opened;
     // nothing of the drive before stands under the name of this one
-    Object.assign(answer, { foreign: true, full: null, fullDoc: null, judged: null });
-    answer.awaited = app.doc.pulley.length * caseNames(app.doc).length <= FEW;
+    const awaited = app.doc.pulley.length * caseNames(app.doc).length <= FEW;
+    Object.assign(answer, { foreign: true, full: null, fullDoc: null, judged: null, awaited });
   }
   const found =
     base && !answer.foreign && own?.ownAnswer(base, POINTS, answer.judged && answer.quick);
@@ -105,8 +109,6 @@ export function solve() {
     confirmed();
   } else quick();
   if (documentChanged) {
-    // what other pages had marked was of the design before
-    if (!answer.problems.length) mark([]);
     document.documentElement.classList.add("stale");
     if (answer.awaited) complete();
     else completeLater();
@@ -161,6 +163,8 @@ async function quickOnce(doc) {
   const { opened } = app;
   const arc = { pulley: doc.pulley[of.pulley]?.name ?? null, load_case: askedCase() };
   const how = { points: POINTS, sequence: ++sequence, tables: false, prepared: true };
+  /** @type {Problem[]} */
+  let problems = [];
   try {
     const given = !of.pulley && !of.case && came.get(doc)?.quick;
     const found = given || (await ask("solve/fast", { document: doc, ...arc, ...how }));
@@ -173,12 +177,11 @@ async function quickOnce(doc) {
       asked[2] = base.case = app.case = found.load_case;
       if (found.load_case !== caseNames(doc)[0]) redraw();
     }
-    if (doc === app.doc) told([]);
     settle();
   } catch (x) {
-    const problems = refusal(x);
-    if (doc === app.doc) told(problems);
+    problems = refusal(x);
   }
+  if (doc === app.doc) told(problems);
 }
 /** Take an answer of the server in: of what the page shows already it is the judgement.
  * @param {QuickAnswer} found @param {Design | null} doc if it is the present one */
@@ -195,8 +198,8 @@ function settle() {
 }
 /** @param {Problem[]} problems */
 function told(problems) {
-  if (!problems.length && !answer.problems.length) return; // what is marked is another page's
   answer.problems = problems;
+  if (!problems.length && wrong.at !== before) return;
   answer.unplaced = mark(problems);
   redraw();
 }

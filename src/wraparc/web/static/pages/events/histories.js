@@ -1,6 +1,6 @@
 // Histories of a run: speed, tensions, torque, shares and creep over time.
 import { app } from "../../base/design.js";
-import { unit } from "../../base/units.js";
+import { title, unit } from "../../base/units.js";
 
 /** @import { ChartData, Line } from "../../types.d.ts" */
 /** @import { Drum, Played } from "./course.js" */
@@ -61,7 +61,7 @@ function made(run) {
         lines: each((d) => d.exit_creep, xf),
         ylabel: `u [${xu}]`,
         zero: true,
-        limit: { y: limit, label: "creep limit" },
+        limit: { y: limit, label: title("creep_limit").toLowerCase() },
       },
     },
     {

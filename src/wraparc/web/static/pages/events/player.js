@@ -1,6 +1,6 @@
 // The player: pulleys with belt and stress in motion, a slider of time, histories with a cursor.
 import { app } from "../../base/design.js";
-import { percent, show, unit } from "../../base/units.js";
+import { percent, show, title, unit } from "../../base/units.js";
 import { choose, oneOf } from "../../parts/choose.js";
 import { Plot } from "../../parts/plot.js";
 import { MovingPulley } from "../../plots/moving.js";
@@ -156,7 +156,7 @@ export class Player extends Component {
       outside: [],
       stuck: 0,
       peak: 0,
-      told: `${d.name}: ${pulls}, creep at exit ${creep}`,
+      told: `${d.name}: ${pulls}, ${title("exit_creep").toLowerCase()} ${creep}`,
     });
     const caption = this.boxes[i]?.parentElement?.querySelector("figcaption span");
     const part = Number.isNaN(share) ? "" : `, share ${percent(share, 2)}`;

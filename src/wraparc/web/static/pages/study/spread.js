@@ -1,22 +1,17 @@
 // How a result is spread over the draws of a study: bars, and its limit as a labelled line.
-import { digits, dimensionOf, shown, title, trim, unit, words } from "../../base/units.js";
+import { dimensionOf, title, trim, unit, words } from "../../base/units.js";
 import { choose } from "../../parts/choose.js";
 import { fresh, hatches, put, roundStep, s, ticks } from "../../plots/svg.js";
 import { Component, createRef, h } from "../../vendor/preact.js";
 
 /** @import { Text } from "../../types.d.ts" */
 /** @typedef {{result: string, where: Text, edges: number[], counts: number[],
- *   limit: number | null, at_most: boolean, beyond: number, without: number, told: Text}} Spread */
+ *   limit: number | null, limit_told: Text, at_most: boolean, beyond: number, without: number,
+ *   told: Text}} Spread */
 
 const WITHIN = { fill: "var(--sky)", stroke: "var(--blue)" };
 const BEYOND = { fill: "none", stroke: "var(--red)" };
 const [LEFT, RIGHT, TOP, FLOOR, TALL] = [52, 14, 26, 200, 240];
-/** What a limit of a result is called at its line. @type {Record<string, string>} */
-const LIMITS = {
-  exit_creep: "creep limit",
-  entry_tension: "rating of the belt",
-  peak_shear_stress: "bond strength",
-};
 
 /** @extends {Component<{spreads: Spread[]}>} */
 export class Spreads extends Component {
@@ -145,7 +140,7 @@ function picture(of, wide, id) {
       s("text", { x: wide - RIGHT - 23, y: Y(of.without) - 4, class: "tx" }, `${of.without}`),
       s("text", { x: wide - RIGHT - 23, y: FLOOR + 15, class: "tx" }, "no value"),
     ],
-    marks.map((v, i) => mark(of, v, X(v), (LEFT + right) / 2, i > 0)),
+    marks.map((v, i) => mark(of, X(v), (LEFT + right) / 2, i > 0)),
     s("text", { x: (LEFT + right) / 2, y: TALL - 6, class: "al" }, axis(of, u)),
     s("text", { x: 12, y: middle, class: "al", transform: `rotate(-90 12 ${middle})` }, "Draws"),
   );
@@ -174,15 +169,13 @@ function column(x, width, y, out, id) {
     out && s("rect", { ...at, fill: `url(#${id}out)` }),
   ];
 }
-/** The line of a limit with its words. @param {Spread} of @param {number} v @param {number} x
+/** The line of a limit with its words. @param {Spread} of @param {number} x
  * @param {number} middle @param {boolean} again */
-function mark(of, v, x, middle, again) {
+function mark(of, x, middle, again) {
   const before = x > middle;
   const at = { x: before ? x - 5 : x + 5, y: TOP - 12, class: before ? "ty" : "tr" };
-  const name = LIMITS[of.result] ?? "least";
-  const told = of.limit == null ? digits(v) : shown(of.result, of.limit);
   return [
     s("path", { d: `M${x} ${TOP - 20}V${FLOOR}`, class: "limit" }),
-    !again && s("text", at, `${name} ${told}`),
+    !again && s("text", at, words(of.limit_told)),
   ];
 }

@@ -1,8 +1,8 @@
 // The inputs of a train: what is given of it, and its drives one behind the other.
-import { app, change, edit } from "../../base/design.js";
+import { app, change, edit, putLagging } from "../../base/design.js";
 import { field, spec } from "../../parts/field.js";
 import { h } from "../../vendor/preact.js";
-import { laggingChoices, laggingName, putLagging } from "../drive/inputs.js";
+import { laggingChoices, laggingName } from "../drive/inputs.js";
 import { pulleyName } from "../drive/more.js";
 
 /** @import { Design, Path, Pulley, Spec } from "../../types.d.ts" */

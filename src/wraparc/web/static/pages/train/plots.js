@@ -1,6 +1,6 @@
 // Pictures of matched trains: shares over trim, diameter and load, and their map.
 import { app } from "../../base/design.js";
-import { digits, percent, unit } from "../../base/units.js";
+import { digits, percent, title, unit } from "../../base/units.js";
 import { scroll } from "../../parts/answers.js";
 import { Plot } from "../../parts/plot.js";
 import { warm } from "../../plots/svg.js";
@@ -15,11 +15,11 @@ const AXES = {
   diameter_ratio: "Diameter over nominal diameter [%]",
   load_ratio: "Load over that of the load case [%]",
 };
-/** What is marked on a curve: its line and its words. @type {Record<string, [string, string]>} */
+/** What is marked on a curve: its line and its words. @type {Record<string, [string, string?]>} */
 const MARKS = {
   operating: ["black", "now"],
   equal: ["green", "equal share"],
-  creep_limit: ["purple", "a creep limit"],
+  creep_limit: ["purple"],
   unloaded: ["sky", "a drive carries nothing"],
 };
 /** @param {number} x @param {number} y @param {string} cls @param {string} words */
@@ -31,11 +31,11 @@ let kept = { of: null, units: "", data: [] };
 export function matchingPlots(m) {
   if (kept.of !== m || kept.units !== app.units)
     kept = { of: m, units: app.units, data: m.curves.map(curveData) };
-  const titles = ["Shares [%]", "Creep at exit"];
+  const titles = ["Shares [%]", title("exit_creep")];
   const plots = m.curves.flatMap((/** @type {any} */ c, /** @type {number} */ i) =>
-    titles.map((title, k) =>
+    titles.map((name, k) =>
       h(Plot, {
-        title,
+        title: name,
         height: 210,
         xlabel: AXES[c.axis] || c.axis,
         class: "card",
@@ -59,7 +59,7 @@ function curveData(c) {
     }));
   const seen = new Set();
   const marks = (c.marks || []).map((/** @type {any} */ m) => {
-    const [cls, name] = MARKS[m.what] ?? ["black", m.what.replace(/_/g, " ")];
+    const [cls, name = m.what.replace(/_/g, " ")] = MARKS[m.what] ?? ["black"];
     const label = seen.has(name) ? "" : name; // one entry of the legend for alike lines
     seen.add(name);
     const at = [100 * m.at, 100 * m.at];
