@@ -68,6 +68,10 @@ TRAINS: dict[str, str] = {
         'preset = "Plylon Plus 1000/4"',
         'name = "own"\nkind = "fabric"\nmodulus = "12960 kN/m"\nrating = "175 kN/m"',
     ),
+    # belt contraction 126 kN/9.6 MN is -1.3125 %: a tie goes to the even digit
+    "shares that fight, no rating": divided('share = ["120 %", "-20 %"]').replace(
+        'preset = "Plylon Plus 1000/4"', 'modulus = "8000 kN/m"'
+    ),
     "wet and dry, with sag": divided(
         'speeds = "equal"', '[sag]\nidler_spacing = "3 m"\nline_mass = "22 kg/m"\n'
     ).replace("format = 1", 'format = 1\ncondition = ["dry", "wet"]'),

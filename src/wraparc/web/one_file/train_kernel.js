@@ -52,10 +52,17 @@ const $range = (a, b) => (b === undefined ? $made(a, (i) => i) : $made(b - a, (i
 const $repeated = (of, times) => $made(times, () => of).flat();
 const $sorted = (of, key = (x) => x) => [...of].sort((a, b) => key(a) - key(b));
 const $first = (of, other) => (of.length > 0 ? of[0] : other);
+const $even = (x, how, digits) => {
+  const [all, power] = x[how](100).split("e");
+  const cut = all.slice(0, all.indexOf(".") + 1 + digits);
+  const tie = /^50*$/.test(all.slice(cut.length)) && /[02468]\.?$/.test(cut);
+  return tie ? cut.replace(/\.$/, "") + (power ? `e${power}` : "") : x[how](digits);
+};
 const $told = (x, sign, digits, how) => {
-  let text = how === "f" ? x.toFixed(digits) : x.toExponential(digits - (how === "g"));
+  const scientific = how === "f" ? "" : $even(x, "toExponential", digits - (how === "g"));
+  let text = scientific || $even(x, "toFixed", digits);
   const power = Number(text.split("e")[1]);
-  if (how === "g" && power >= -4 && power < digits) text = x.toFixed(digits - 1 - power);
+  if (how === "g" && power >= -4 && power < digits) text = $even(x, "toFixed", digits - 1 - power);
   if (how === "g" && text.includes(".")) text = text.replace(/\.?0+(?=e|$)/, "");
   text = text.replace(/e([+-])(\d)$/, "e$10$2");
   return sign && !text.startsWith("-") ? `+${text}` : text;
