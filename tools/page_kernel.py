@@ -168,6 +168,7 @@ READER: dict[str, Any] = {
     "shownLeast": leasts.shown_least,
     "checkTable": checks_table.check_table,
     "short": words.short,
+    "orderIn": words.order_in,
     "summaryTable": drive_sheet.summary_table,
     "arcTables": drive_sheet.arc_tables,
     "Sources": sources.Sources,

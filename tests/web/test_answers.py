@@ -1,13 +1,19 @@
 """Real answers have the form that the OpenAPI document promises, nothing more and nothing less."""
 
+import tomllib
 from collections.abc import Iterator
 from typing import Any
 
 import pytest
 from starlette.testclient import TestClient
 
+from judgement.rows import BASE, MOTORS
 from web.calculators import API, client, document
+from wraparc.checks import judge
+from wraparc.train.whole import solved
 from wraparc.web.answers import catalogue, compare, drives, form, texts, trains
+from wraparc.web.answers.documents import read
+from wraparc.web.asked import SolveRequest
 from wraparc.web.database import store
 from wraparc.web.errors import PROBLEM_JSON, Problems
 from wraparc.web.routes import pages, studies
@@ -79,3 +85,22 @@ def test_designs_about_and_refusals_have_their_form(api: TestClient) -> None:
         assert refusal.headers["content-type"] == PROBLEM_JSON
         assert told.status == refusal.status_code
         assert told.detail == " ".join(problem.sentence for problem in told.problems)
+
+
+def test_the_arc_of_the_check_that_governs_comes_off_worst() -> None:
+    # expected: the place of the check that governs the verdict, by the order that the page has
+    text = 'pulley.head.entry_tension = "132 kN"\npulley.head.exit_tension = "55 kN"'
+    more = text.replace("132", "200").replace("55", "150")
+    one = BASE.replace('1000/4"', '1000/4"\nlargest_wrap_pressure = "280 kPa"')
+    one += f'[[load_case]]\nname = "creeps"\n{text}\n[[load_case]]\nname = "presses"\n{more}\n'
+    for source in (one, MOTORS.replace('["800 mm"', '["786 mm"'), BASE):
+        asked = SolveRequest(document=tomllib.loads(source), sequence=1)
+        found = drives.solve_all(asked)
+        judged = judge(solved(read(asked.document)))
+        assert judged.governing is not None
+        place = judged.governing.place
+        worst = min(found.arcs, key=lambda arc: (-arc.level.rank, arc.order))
+        assert place.load_case in ("", worst.load_case)
+        assert place.pulley in ("", worst.pulley)
+        if judged.governing.missed:
+            assert worst.short == judged.governing.short

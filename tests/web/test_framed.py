@@ -6,6 +6,7 @@ shown and of no other, and everything else one press away.
 
 import json
 import re
+import tomllib
 from pathlib import Path
 
 import pytest
@@ -17,6 +18,9 @@ from web.calculators import document
 from web.test_first_screen import MOVED, SCREEN, STILL, WATCH, drag, middle
 from web.test_standing import take
 from worded import worded
+from wraparc.arc import solve
+from wraparc.checks import Level, judge
+from wraparc.files import drive_from_text
 
 EXAMPLES = Path("examples")
 
@@ -235,3 +239,58 @@ def test_the_action_of_drives_that_fail_is_what_helps(long_visit: Visitor) -> No
     expect(said.get_by_role("button", name="Find the trim limits")).to_have_count(0)
     said.get_by_role("button", name=re.compile("^Raise T2 to")).click()
     expect(said).to_have_class(re.compile("good"))
+
+
+#: Two load cases that need attention: one creeps more, the other is further beyond its limit.
+TWO_FAULTS = """format = 1
+[belt]
+preset = "Plylon Plus 1000/4"
+largest_wrap_pressure = "320 kPa"
+width = "1200 mm"
+speed = "3 m/s"
+[[pulley]]
+name = "head"
+diameter = "800 mm"
+wrap_angle = "180 deg"
+lagging = "diamond-rubber"
+entry_tension = "120 kN"
+exit_tension = "75 kN"
+[[load_case]]
+name = "creeps"
+pulley.head.entry_tension = "150 kN"
+pulley.head.exit_tension = "60 kN"
+[[load_case]]
+name = "presses"
+pulley.head.entry_tension = "200 kN"
+pulley.head.exit_tension = "150 kN"
+"""
+
+
+def test_worse_elsewhere_is_where_the_verdict_is_worst(long_visit: Visitor) -> None:
+    # expected: the load case of the check that governs the verdict of the program
+    verdict = judge(solve(drive_from_text(TWO_FAULTS)))
+    assert verdict.governing is not None
+    assert verdict.governing.place.load_case == "presses"
+    assert verdict.within("creeps").level is verdict.level
+    page = long_visit.open("drive", unfold=False)
+    take(page, tomllib.loads(TWO_FAULTS))
+    long_visit.solved()
+    say = page.locator("#verdict")
+    expect(say).to_contain_text("Worse elsewhere: presses: face pressure")
+    say.get_by_role("button", name="presses").click()
+    expect(say).to_contain_text("presses on the pulley face")
+
+
+def test_what_would_help_is_judged_in_every_load_case(long_visit: Visitor) -> None:
+    # expected: levels of the program, of the whole drive with the change in it; in the load case
+    # that is looked at alone every one of them is kept
+    page = long_visit.open("drive", unfold=False)
+    take(page, tomllib.loads(TWO_FAULTS.replace('"120 kN"', '"140 kN"')))
+    long_visit.solved()
+    page.wait_for_selector(".ways li")
+    text = TWO_FAULTS.replace('"120 kN"', '"140 kN"').replace("diamond-rubber", "full-ceramic")
+    judged = judge(solve(drive_from_text(text)))
+    assert judged.level is Level.ATTENTION
+    assert judged.within("design").level is Level.OK
+    told = page.locator(".ways li").filter(has_text="Full ceramic")
+    expect(told).to_contain_text(f", {judged.level}")

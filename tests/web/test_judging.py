@@ -79,7 +79,7 @@ def told(document: Data) -> Data:
     for arc, of in zip(result, sources, strict=True):
         tables += [*arc_tables(result, (arc,), of).items()]
     tables = [(key, table) for key, table in tables if key not in NOT_SOLVED]
-    tables += [("summary", summary_table([result]))] if len(result) > 1 else []
+    tables += [("summary", summary_table([result], result))] if len(result) > 1 else []
 
     def texts(system: System) -> Data:
         table = shown(check_table(found), system)

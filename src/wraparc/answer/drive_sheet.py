@@ -69,7 +69,7 @@ def drive_sheet(
     least = least_table(whole)
     tables += [least] if least else []
     tables += conveyor_tables(first.drive, of)
-    tables.append(summary_table(results))
+    tables.append(summary_table(results, whole))
     tables.append(loads_table(first))
     for position in detail:
         found = arc_tables(first, tuple(r.arcs[position] for r in results), of)
@@ -181,8 +181,11 @@ def arc_tables(result: DriveResult, results: Results, of: Sources) -> dict[str, 
     return {key: table for key, table in found.items() if table is not None}
 
 
-def summary_table(results: Sequence[DriveResult]) -> Table:
-    """One line for each arc and method; units stand in the heads, to keep the lines short."""
+def summary_table(results: Sequence[DriveResult], whole: "DriveResult | TrainResult") -> Table:
+    """One line for each arc and method; units stand in the heads, to keep the lines short.
+
+    `whole` is what the pulleys of the first result are of, a drive or a train: it is judged.
+    """
     # T1 is the slack side where a pulley brakes
     brakes = any(arc.arc.side < 0.0 for result in results for arc in result)
     heads = (
@@ -195,11 +198,12 @@ def summary_table(results: Sequence[DriveResult]) -> Table:
         "",
     )
     rows = []
-    for result in results:
+    for result, of in zip(results, (whole, *results[1:]), strict=True):
         for arc in result:
             method = f", {METHOD_TITLES[arc.method]}" if len(results) > 1 else ""
             title = f"{arc.arc.load_case}: {arc.arc.pulley}{method}"
-            rows.append(Row(title, _summary_values(result, arc), level=level_of(result, arc)))
+            values = (*_summary_values(result, arc), short(of, arc))
+            rows.append(Row(title, values, level=level_of(of, arc)))
     return Table("All load cases and pulleys", tuple(rows), heads, name="cases")
 
 
@@ -256,7 +260,6 @@ def _summary_values(of: DriveResult, result: ArcResult) -> tuple[str, ...]:
         number("exit_creep", result.exit_creep),
         percent(result.share_of_limit),
         _least(of, result),
-        short(of, result),
     )
 
 

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from typing import TYPE_CHECKING
 from weakref import WeakKeyDictionary
 
 from wraparc.answer.least_tension import least_sentence
@@ -12,6 +13,11 @@ from wraparc.checks import Level, idle, judge
 from wraparc.checks import Verdict as Judgement
 from wraparc.drive import Drive, LoadCase, Tensions
 
+if TYPE_CHECKING:
+    from wraparc.train import TrainResult
+
+#: Stands for a place without bound, which JSON does not have.
+_FAR = 1e12
 #: Which drive is judged beside the answer to another question.
 AS_IT_IS = "As it is"
 
@@ -84,12 +90,18 @@ def under(told: Verdict, judged: Judgement, of: str = AS_IT_IS) -> Verdict:
     )
 
 
-def level_of(result: DriveResult, arc: ArcResult) -> Level:
-    """Return how good the news of one arc of a drive is."""
+def level_of(result: "DriveResult | TrainResult", arc: ArcResult) -> Level:
+    """Return how good the news of one arc of a drive or train is."""
     return judge(result).at(arc.arc.pulley, arc.arc.load_case).level
 
 
-def short(result: DriveResult, arc: ArcResult) -> str:
+def order_in(told: Judgement) -> float:
+    """Return the place of a verdict among those of its level: the least comes off worst."""
+    worst = told.governing
+    return 0.0 if worst is None else max(-_FAR, min(told.nearness(worst)[1], _FAR))
+
+
+def short(result: "DriveResult | TrainResult", arc: ArcResult) -> str:
     """Return the answer for one arc in a few words, for a table."""
     if arc.status is Status.BREAKAWAY:
         return "breaks away"

@@ -331,7 +331,7 @@ def note_inputs(result: DriveResult, train: "TrainResult | None") -> tuple[Input
 
 
 def _results_section(results: Sequence[DriveResult], train: "TrainResult | None") -> Section:
-    tables = [arcs_table(results), loads_table(results[0])]
+    tables = [arcs_table(results, train or results[0]), loads_table(results[0])]
     if results[0].drive.conditions:
         tables.append(conditions_table(results[0], train or results[0]))
     if train is not None:

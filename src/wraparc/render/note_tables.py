@@ -14,8 +14,11 @@ if TYPE_CHECKING:
     from wraparc.train import TrainResult
 
 
-def arcs_table(results: Sequence[DriveResult]) -> Table:
-    """One line for each arc; the creep by the other methods beside that of the first."""
+def arcs_table(results: Sequence[DriveResult], whole: "DriveResult | TrainResult") -> Table:
+    """One line for each arc; the creep by the other methods beside that of the first.
+
+    `whole` is what the pulleys are of, a drive or a train: it is judged.
+    """
     columns = (
         ("entry_tension", "T1"), ("exit_tension", "T2"), ("tension_ratio", "T1/T2"),
         ("exit_creep", "creep"), ("exit_slip", "slip"), ("peak_shear_angle", "shear angle"),
@@ -32,7 +35,7 @@ def arcs_table(results: Sequence[DriveResult]) -> Table:
         title = arc.arc.load_case
         if len(results[0].drive.pulleys) > 1:
             title += f": {arc.arc.pulley}"
-        rows.append(Row(title, (*values, short(results[0], arc)), level=level_of(results[0], arc)))
+        rows.append(Row(title, (*values, short(whole, arc)), level=level_of(whole, arc)))
     note = (
         "Margin: capacity at the creep limit over the actual tension ratio. Shear angle and shear "
         "stress at their peak."
@@ -47,7 +50,7 @@ def shares_table(train: "TrainResult") -> Table:
     """One line for each drive of each load case: what it carries, how fast it turns."""
     from wraparc.answer.train_sheet import trim_text
 
-    rows, pulleys = [], train.drive_result()
+    rows = []
     for case in train:
         for m in case.members:
             values = (
@@ -57,7 +60,7 @@ def shares_table(train: "TrainResult") -> Table:
                 trim_text(m.speed_trim),
                 percent(m.motor.motor_load) if m.motor else NONE,
             )
-            rows.append(Row(f"{case.case.name}: {m.name}", values, level=level_of(pulleys, m.arc)))
+            rows.append(Row(f"{case.case.name}: {m.name}", values, level=level_of(train, m.arc)))
     heads = (
         "share", _head("drum_power", "power"), "speed to the first [%]", "speed trim",
         "motor load",

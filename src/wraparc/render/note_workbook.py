@@ -221,14 +221,15 @@ class _Workbook:
         if self.train is not None:
             shares = tuple(n for n in self.train.cases[0].members[0].scalars() if n in GLOSSARY)
             heads += list(map(self._headed, shares))
+        judged = (self.train or self.results[0], *self.results[1:])
         rows: list[list[Cell]] = [
             [
                 *_belongs(arc),
-                short(result, arc),
+                short(of, arc),
                 *(self._result(name, arc.scalars()[name]) for name in names),
                 *self._member(arc, shares),
             ]
-            for result in self.results
+            for result, of in zip(self.results, judged, strict=True)
             for arc in result
         ]
         self._table("Results", heads, rows, frozen=4)

@@ -126,7 +126,7 @@ def study_from_document(document: Document, *, file: str = "", folder: str = "")
         setting=setting,
         outputs=tuple(dict.fromkeys((*outputs, *sensitivity))),
         description={"study": _plain(document), "drive": _plain(base)},
-        ground=_ground(drive, pulley, known),
+        ground=_ground(drive, pulley, loads, known),
     )
     return StudyFile(
         study=study,
@@ -134,7 +134,7 @@ def study_from_document(document: Document, *, file: str = "", folder: str = "")
         pulley=pulley,
         sensitivity=sensitivity,
         inputs=(file, drive_path),
-        remarks=(*_remarks(axes, known), *source.remarks(drive)),
+        remarks=(*_remarks(axes, known), *_left_out(drive, loads), *source.remarks(drive)),
         sources=tuple(_sources(drive.pulley(pulley).lagging, record, axes, known)),
     )
 
@@ -216,13 +216,24 @@ def _each_once(axes: Sequence[tuple[Axis, Place]], report: Report) -> None:
             report.add(("axis",), message, "Keep one of the two.", axis.field)
 
 
-def _ground(drive: Drive, pulley: str, conditions: Sequence[Condition]) -> str:
-    """Return what limits an OK: that it is dry only, and the data it stands on."""
+def _left_out(drive: Drive, loads: Sequence[str]) -> Iterator[str]:
+    """Say which load cases of the drive are not solved."""
+    left = [case.name for case in drive.load_cases if case.name not in loads]
+    if left:
+        yield f"Not in this study: load case {', '.join(left)}."
+
+
+def _ground(
+    drive: Drive, pulley: str, loads: Sequence[str], conditions: Sequence[Condition]
+) -> str:
+    """Return what limits an OK: one load case of several, dry only, and the data it stands on."""
     of = drive.pulley(pulley)
     dry = not conditions and all(
         wet_factor(of.lagging_in(case.condition)) != 0.0 for case in drive.load_cases
     )
-    return ", ".join(part for part in ("dry only" if dry else "", before(drive).qualifier) if part)
+    some = f"load case {', '.join(loads)} only" if [*_left_out(drive, loads)] else ""
+    parts = ("dry only" if dry else "", some, before(drive).qualifier)
+    return ", ".join(part for part in parts if part)
 
 
 def _shares(conditions: Sequence[Condition], report: Report) -> None:

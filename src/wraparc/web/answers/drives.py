@@ -16,7 +16,7 @@ from wraparc.answer.least_tension import (
 )
 from wraparc.answer.sources import Sources
 from wraparc.answer.train_sheet import train_input_sheet
-from wraparc.answer.words import alone_of, in_words, short, verdict
+from wraparc.answer.words import alone_of, in_words, order_in, short, verdict
 from wraparc.arc import ArcResult, Distributed, DriveResult, PaperMarch, WrapArc, solve
 from wraparc.checks import Level, judge, least_tension
 from wraparc.drive import Drive
@@ -90,11 +90,15 @@ class Paper(Answer):
 
 
 class WholeArc(Arc):
-    """One arc with everything there is to say; `raise_to` is for this load case alone [N]."""
+    """One arc with everything there is to say; `raise_to` is for this load case alone [N].
+
+    Of arcs of one level that of the least `order` comes off worst.
+    """
 
     bars: list[Bar]
     status_text: str
     short: str
+    order: float
     raise_to: float | None
     unbounded: list[str]
     table_sources: list[str]
@@ -218,7 +222,7 @@ def solve_all(asked: SolveRequest) -> SolveAnswer:
     drive, governing = first.drive, first.governing.arc
     second = solve(drive, method=PaperMarch(), raise_on_failure=False)
     sources = [Source(**source) for source in sources_of(drive)]
-    summary = tables([summary_table((first, second))], ["summary"])
+    summary = tables([summary_table((first, second), whole)], ["summary"])
     return SolveAnswer(
         sequence=asked.sequence,
         kind="drive" if train is None else "train",
@@ -300,7 +304,8 @@ def _whole_arc(
     return WholeArc(
         bars=bars(judged.listed),
         status_text=str(result.status),
-        short=short(answered, result),
+        short=short(whole, result),
+        order=order_in(judged),
         raise_to=_alone(answered, result),
         unbounded=[n for n, value in result.scalars().items() if math.isinf(value)],
         tables=tables([*made.values()], made),

@@ -1108,6 +1108,7 @@ export interface WholeArc {
   bars: Bar[];
   status_text: string;
   short: string;
+  order: number;
   raise_to: number | null;
   unbounded: string[];
   table_sources: string[];

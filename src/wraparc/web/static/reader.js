@@ -2581,17 +2581,24 @@ return worst.short;
 }
 return ($truth(rule__idle($bound(arc, "arc"))) ? "not driven" : "carries");
 }
-function drive_sheet__summary_table(results) {
-let arc, brakes, heads, method, result, rows, title;
+function words__order_in(told) {
+let worst;
+
+(worst = told.governing);
+return ((worst == null) ? 0.0 : $b.max($neg(1000000000000.0), $b.min($at(told.nearness(worst), 1), 1000000000000.0)));
+}
+function drive_sheet__summary_table(results, whole) {
+let arc, brakes, heads, method, of, result, rows, title, values;
 
 (brakes = $b.any((function* () { for (const result of $iter(results)) { for (const arc of $iter(result)) { yield (arc.arc.side < 0.0); }} })()));
 (heads = [sheet__headed("T1", "force"), sheet__headed("T2", "force"), "T1/T2", sheet__headed("creep", "length"), "of limit", sheet__headed(($truth(brakes) ? "least slack" : "least T2"), "force"), ""]);
 (rows = []);
-for (result of $iter(results)) {
+for ([result, of] of $iter($b.zip(results, [whole, ...$iter($slice(results, 1, null))], $k({strict: true})))) {
 for (arc of $iter(result)) {
 (method = (($b.len(results) > 1) ? ("" + ", " + $str($at($c9028, arc.method))) : ""));
 (title = ("" + $str(arc.arc.load_case) + ": " + $str(arc.arc.pulley) + $str(method)));
-$m.append(rows, new Row(title, drive_sheet___summary_values(result, arc), undefined, undefined, undefined, words__level_of(result, arc)));
+(values = [...$iter(drive_sheet___summary_values(result, arc)), words__short(of, arc)]);
+$m.append(rows, new Row(title, values, undefined, undefined, undefined, words__level_of(of, arc)));
 }
 }
 return new Table("All load cases and pulleys", $b.tuple(rows), heads, undefined, "cases");
@@ -2607,7 +2614,7 @@ return cellOf(0.0, dimension, undefined, "unit");
 function drive_sheet___summary_values(of, result) {
 let arc;
 (arc = result.arc);
-return [sheet__number("entry_tension", $bound(arc, "entry_tension")), sheet__number("exit_tension", $bound(arc, "exit_tension")), sheet__number("tension_ratio", (arc.entry_tension / arc.exit_tension)), sheet__number("exit_creep", $bound(result, "exit_creep")), cell__percent($bound(result, "share_of_limit")), drive_sheet___least(of, result), words__short(of, result)];
+return [sheet__number("entry_tension", $bound(arc, "entry_tension")), sheet__number("exit_tension", $bound(arc, "exit_tension")), sheet__number("tension_ratio", (arc.entry_tension / arc.exit_tension)), sheet__number("exit_creep", $bound(result, "exit_creep")), cell__percent($bound(result, "share_of_limit")), drive_sheet___least(of, result)];
 }
 function sheet__number(name, value) {
 
@@ -9631,6 +9638,7 @@ export { least_tension__least_table as leastTable };
 export { least_tension__shown_least as shownLeast };
 export { checks_table__check_table as checkTable };
 export { words__short as short };
+export { words__order_in as orderIn };
 export { drive_sheet__summary_table as summaryTable };
 export { drive_sheet__arc_tables as arcTables };
 export { Sources as Sources };

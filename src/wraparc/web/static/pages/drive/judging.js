@@ -37,12 +37,12 @@ function assembled(doc, served) {
   return last.judging;
 }
 
-/** What a drive is judged by in one load case, put together in the page; null where that is for the
- * server. @param {Design} doc @param {string} name */
-export async function alone(doc, name) {
+/** What a drive is judged by, or in one load case, put together in the page; null where that is for
+ * the server. @param {Design} doc @param {string} [name] */
+export async function together(doc, name) {
   await ready;
   const judging = book && assemble(doc, book).judging;
-  return judging?.cases.some((c) => c.load_case === name) ? inCase(judging, name) : null;
+  return judging && name ? inCase(judging, name) : judging;
 }
 /** The answer of the page itself to the arc that is looked at; null where it is for the server.
  * @param {{doc: Design, answer: QuickAnswer, pulley: number, case: string}} base

@@ -392,28 +392,22 @@ const LEVELS = ["OK", "ATTENTION", "FAILS", "FAULT OF THE PROGRAM"];
 export const rank = (/** @type {{level: Level}} */ a) => LEVELS.indexOf(a.level);
 const use = (/** @type {QuickAnswer | FullArc} */ a) =>
   a.status === "solved" ? Math.abs(a.numbers.exit_creep) / a.creep_limit : Infinity;
+/** Which comes off worse, as the program has it. @param {FullArc} a @param {FullArc} b */
+const worseThan = (a, b) => rank(b) - rank(a) || a.order - b.order;
 /** Another load case or pulley that comes off worse, and a way there.
  * @param {FullArc[] | undefined} arcs @param {QuickAnswer} arc */
 function elsewhere(arcs, arc) {
   const here = arcs?.find((a) => a.pulley === arc.pulley && a.load_case === arc.load_case);
   if (!arcs || !here) return null;
-  const worse = arcs
-    .filter((a) => rank(a) > rank(here) || (rank(a) === rank(here) && use(a) > use(here) * 1.001))
-    .filter((a) => rank(a) > 0)
-    .sort((a, b) => rank(b) - rank(a) || use(b) - use(a))[0];
+  const worse = arcs.filter((a) => rank(a) > 0 && worseThan(a, here) < -0.001).sort(worseThan)[0];
   if (!worse) return null;
   const pulley = app.doc.pulley.findIndex((p) => p.name === worse.pulley);
   const place =
     worse.pulley === arc.pulley ? worse.load_case : `${worse.load_case}, ${worse.pulley}`;
-  const creeps = `creeps ${percent(use(worse))} of its limit`;
   const to = () => look({ case: worse.load_case, pulley: Math.max(0, pulley) });
   return [
     "Worse elsewhere: ",
-    h(
-      "button",
-      { type: "button", class: "link", onClick: to },
-      `${place} ${worse.status === "solved" ? creeps : worse.short}`,
-    ),
+    h("button", { type: "button", class: "link", onClick: to }, `${place}: ${worse.short}`),
   ];
 }
 /** What helps, solved before it is offered. @param {QuickAnswer} arc @returns {Children} */
@@ -425,8 +419,8 @@ function action(arc) {
   const found = all != null ? behind()?.raise(all) : behind()?.raiseAlone(wholeArc());
   if (found) return found;
   const ways = solver()?.ways() ?? [];
-  const better = ways.filter((w) => rank(w) < rank(arc)).sort((a, b) => a.creep - b.creep);
-  const way = ways.find((w) => w.level === "OK" || w.creep <= arc.creep_limit) ?? better[0];
+  const better = ways.filter((w) => w.helps).sort((a, b) => a.creep - b.creep);
+  const way = ways.find((w) => w.level === "OK") ?? better[0];
   if (!way) return null;
   const text = `${way.does}: ${shown("exit_creep", way.creep, 3)}`;
   return h(
@@ -455,9 +449,9 @@ function take(doc, text) {
 /** The pulley that comes off worst in a load case, the one that is looked at before its like.
  * @param {FullArc[] | undefined} arcs @param {string} name @param {string | undefined} own */
 function worstIn(arcs, name, own) {
-  const worse = (/** @type {FullArc} */ a) => 2 * rank(a) + +(a.pulley === own);
   const here = arcs?.filter((a) => a.load_case === name) ?? [];
-  return here.sort((a, b) => worse(b) - worse(a) || use(b) - use(a))[0];
+  const mine = (/** @type {FullArc} */ a) => +(a.pulley === own);
+  return here.sort((a, b) => rank(b) - rank(a) || mine(b) - mine(a) || worseThan(a, b))[0];
 }
 /** Choice of pulley and load case: each case with what it comes to.
  * @param {string} [of] another view, whose names of parts are its own */

@@ -4,15 +4,18 @@ import { show, unit, written } from "../../base/units.js";
 import { beside } from "./beside.js";
 import { shownCase } from "./condition.js";
 import { arcsOf, judge } from "./judge.js";
-import { alone } from "./judging.js";
+import { together } from "./judging.js";
 import { movedTo } from "./load.js";
 import { leastWrap } from "./ranges.js";
+import { rank } from "./screen.js";
 import { answer, whole, wholeArc } from "./solving.js";
 import { verdictOf } from "./words.js";
 
 /** @import { Design, Level } from "../../types.d.ts" */
-/** @typedef {{title: string, does: string, doc: Design, creep: number, level: Level}} Way
- *   creep [m], infinite where it slips */
+/** @typedef {{title: string, does: string, doc: Design, creep: number, level: Level,
+ *   helps: boolean}} Way
+ *   creep [m], infinite where it slips; the level is that of the whole drive, and it helps if less
+ *   is missed of that than now, and nothing new */
 
 const DEG = Math.PI / 180;
 /** Wraps that the least one is found between [deg], and that are offered. */
@@ -38,10 +41,12 @@ export async function find() {
   leastWrap.wrap = null;
   if (app.doc.pulley.length > 1 || !(quick.numbers.effective_tension > 0)) return;
   const found = [];
+  const before = await solved(app.doc, String(quick.load_case));
   for (const [title, does, doc] of changes(quick.numbers)) {
     const told = await solved(doc, String(quick.load_case));
     if (!same(of)) return;
-    if (told) found.push({ title, does, doc, ...told });
+    const helps = Boolean(told && before && less(told.levels, before.levels));
+    if (told) found.push({ title, does, doc, helps, ...told });
   }
   await seekWrap(of, String(quick.load_case), quick.creep_limit);
   if (!same(of)) return;
@@ -81,14 +86,23 @@ function changes(n) {
     ],
   ];
 }
-/** An arc of another drive. @param {Design} doc @param {string} load_case */
-async function solved(doc, load_case) {
-  const judging = await alone(doc, load_case);
-  const numbers = judging && (await beside(arcsOf(judging)));
+/** Whether less is missed, and nothing that was not. @param {Record<string, Level>} after
+ * @param {Record<string, Level>} before */
+function less(after, before) {
+  const now = (/** @type {string} */ name) => rank({ level: before[name] ?? "OK" });
+  const all = Object.entries(after).map(([name, level]) => rank({ level }) - now(name));
+  return all.every((d) => d <= 0) && all.some((d) => d < 0);
+}
+/** An arc of another drive, and the verdict on that, or on one load case of it alone.
+ * @param {Design} doc @param {string} load_case @param {string} [only] */
+async function solved(doc, load_case, only) {
+  const judging = await together(doc, only);
+  const at = judging?.cases.findIndex((c) => c.load_case === load_case) ?? -1;
+  const numbers = judging && at >= 0 && (await beside(arcsOf(judging)));
   if (!numbers) return null;
-  const { level } = verdictOf(judge(judging, doc, numbers), load_case);
-  const [{ solved: rests, summary }] = numbers;
-  return { creep: rests ? Math.abs(summary.exit_creep) : Number.POSITIVE_INFINITY, level };
+  const { level, levels } = verdictOf(judge(judging, doc, numbers));
+  const { solved: rests, summary } = numbers[at];
+  return { creep: rests ? Math.abs(summary.exit_creep) : Number.POSITIVE_INFINITY, level, levels };
 }
 /** The least wrap that keeps the limit, between those that are tried. @param {unknown[]} of
  * @param {string} name @param {number} limit */
@@ -96,7 +110,7 @@ async function seekWrap(of, name, limit) {
   const creeps = [];
   for (const w of WRAPS) {
     const doc = set(app.doc, ["pulley", app.pulley, "wrap_angle"], written(w * DEG, "angle", 9));
-    const told = await solved(doc, name);
+    const told = await solved(doc, name, name);
     if (!same(of)) return;
     creeps.push(told ? Math.min(told.creep, 1) : Number.NaN);
   }

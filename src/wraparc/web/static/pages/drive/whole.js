@@ -25,7 +25,9 @@ export function wholeOf(judged) {
     least_tension,
     // as the tables of an arc, not made while a slider moves
     get summary() {
-      return arcs.length > 1 ? tableOf(summaryTable([driveIn(judged.result)]), "summary") : null;
+      return arcs.length > 1
+        ? tableOf(summaryTable([driveIn(judged.result)], judged.result), "summary")
+        : null;
     },
     sources: judged.of.kinds.map((kind) => ({ kind })),
     remarks: remarksOf(judged),
@@ -35,7 +37,7 @@ export function wholeOf(judged) {
 /** @param {Judged} judged @param {number} i @returns {FullArc} */
 function arcOf(judged, i) {
   const { load_case, pulley, solved, numbers } = judged.arcs[i];
-  const { level, levels, short } = verdictOf(judged, load_case, pulley);
+  const { level, levels, short, order } = verdictOf(judged, load_case, pulley);
   const c = judged.of.cases[i];
   /** @type {Pick<FullArc, "tables" | "table_sources"> | null} */
   let made = null;
@@ -49,7 +51,7 @@ function arcOf(judged, i) {
     status: solved ? "solved" : "breakaway",
     status_text: "",
     raise_to: leastAlone(judged, i)?.raise_to ?? null,
-    ...{ level, levels, short, numbers: finite(numbers) },
+    ...{ level, levels, short, order, numbers: finite(numbers) },
     bars: barsOf(judged, load_case, pulley),
     creep_limit: +c.prepared.given.creep_limit,
     profile: {},

@@ -1,5 +1,10 @@
 // What the checks of the page come to, as the server tells it: texts with slots for their numbers.
-import { remarksOf as remarksOn, short, checkTable as tableOfChecks } from "../../reader.js";
+import {
+  orderIn,
+  remarksOf as remarksOn,
+  short,
+  checkTable as tableOfChecks,
+} from "../../reader.js";
 
 /** @import { Bar, Level, Table, Verdict } from "../../types.d.ts" */
 /** @import { Judged } from "./judge.js" */
@@ -15,7 +20,7 @@ const verdictAt = ({ verdict }, load_case, pulley) =>
 
 /** The verdict on a drive, or on one of its load cases, and pulleys. @param {Judged} judged
  * @param {string} [load_case] @param {string} [pulley]
- * @returns {Verdict & {levels: Record<string, Level>, short: string}} */
+ * @returns {Verdict & {levels: Record<string, Level>, short: string, order: number}} */
 export function verdictOf(judged, load_case, pulley) {
   const verdict = verdictAt(judged, load_case, pulley);
   const { level, word, lead, action, others, listed } = verdict;
@@ -29,6 +34,7 @@ export function verdictOf(judged, load_case, pulley) {
     action,
     sentences: [...others],
     short: shortOf(judged, verdict, load_case, pulley),
+    order: orderIn(verdict),
     levels: Object.fromEntries(levels),
   };
 }
