@@ -8,6 +8,10 @@ from playwright.sync_api import Page, Route, expect
 
 from web.browser import PHONE, Calculator, Visitor
 from web.calculators import wait_for
+from wraparc.errors import InputError
+from wraparc.motion.file import check_motion
+from wraparc.schema.source import parse
+from wraparc.web.answers.documents import read
 from wraparc.web.examples import examples
 
 
@@ -55,6 +59,19 @@ def test_a_wrong_mass_is_refused_under_its_field_before_anything_runs(
     mass.fill("120 t")
     mass.press("Tab")
     expect(page.locator(error)).to_have_text("")
+
+
+def test_what_moves_may_be_given_in_any_order() -> None:
+    """The drive is solved beside a table that is not whole yet; what is wrong in it is refused."""
+    document = parse(short())
+    document["motion"] = {"conveyor_mass": "120 t"}
+    assert len(read(document).pulleys) == 2
+    with pytest.raises(InputError, match="drum"):
+        check_motion(document)
+    document["motion"] = {"conveyor_mass": "-3 t"}
+    with pytest.raises(InputError, match="must be more than 0 kg") as refused:
+        read(document)
+    assert len(refused.value.problems) == 1
 
 
 def test_a_start_of_a_shipped_tandem_plays(visitor: Visitor, tmp_path: Path) -> None:

@@ -6,7 +6,7 @@ from typing import Any
 
 from wraparc.arc import Distributed
 from wraparc.drive import Drive, LoadCase, Pulley
-from wraparc.errors import input_error, placed
+from wraparc.errors import InputError, input_error, placed
 from wraparc.schema.source import Document, decoded, parse
 from wraparc.train import Train
 from wraparc.train.as_drive import nearest_drive
@@ -61,12 +61,22 @@ def read(document: Document) -> Drive | Train:
     from wraparc.train.file import drive_or_train_from_document
 
     document = without_none(document)
-    if "motion" in document:  # the room of drives in time is loaded for these alone
-        from wraparc.motion.file import check_motion
-    found = drive_or_train_from_document(document, check_motion if "motion" in document else None)
+    found = drive_or_train_from_document(document, _motion if "motion" in document else None)
     cases = found.load_cases if isinstance(found, Drive) else found.cases
     _check_arcs(len(found.pulleys), len(cases))
     return Train.of(found) if isinstance(found, Drive) and len(found.pulleys) > 1 else found
+
+
+def _motion(document: Document, *, file: str = "") -> None:
+    """Refuse what is wrong in ``[motion]``; what is missing there a form has not come to yet."""
+    from wraparc.motion.file import check_motion  # drives in time are loaded for these alone
+
+    try:
+        check_motion(document, file=file)
+    except InputError as error:
+        wrong = [problem for problem in error.problems if problem.code != "missing"]
+        if wrong:
+            raise InputError(wrong) from None
 
 
 def _check_arcs(pulleys: int, cases: int) -> None:
