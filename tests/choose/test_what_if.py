@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from cli.running import DRIVE, drive_file, wraparc
+from judgement.rows import BARE, BASE
 from wraparc import Belt, InputError, load_drive, load_lagging, solve
 from wraparc.catalogue import belt as catalogue_belt
 from wraparc.choose.what_if import Change, what_if
@@ -204,3 +205,13 @@ def test_a_lagging_does_not_wear_thicker(tmp_path: Path) -> None:
     sentence = "worn = 20 mm: a lagging that is 12 mm thick cannot wear to that. Give the thickness"
     with pytest.raises(InputError, match=sentence):
         study.worn_to(drive, "head", 20e-3)
+
+
+@pytest.mark.parametrize("slack", ["75 kN", "100 kN", "120 kN"])
+def test_a_bare_pulley_is_lagged(slack: str, tmp_path: Path) -> None:
+    # nothing is compressed before: no ratio of compressions is told, and none is needed
+    text = BASE.replace('"diamond-rubber"', '"bare"').replace("75 kN", slack) + BARE
+    (tmp_path / "drive.toml").write_text(text, "utf-8")
+    ran = wraparc("what-if", tmp_path / "drive.toml", "--lagging", "full-ceramic")
+    assert ran.code in (0, 1), ran.err
+    assert "full-ceramic" in ran.words

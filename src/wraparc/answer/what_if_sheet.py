@@ -202,7 +202,7 @@ def _parts(before: ArcResult, after: ArcResult) -> Iterator[tuple[float, str]]:
     change = after.creep_compression - before.creep_compression
     more = abs(after.creep_compression) > abs(before.creep_compression)  # negative on a brake
     why = f"the lagging is compressed {'more' if more else 'less'}"
-    if a.compression_compliance != b.compression_compliance:
+    if 0.0 < a.compression_compliance != b.compression_compliance:  # a bare pulley has none
         why += f" (h/E_c times {b.compression_compliance / a.compression_compliance:.3g})"
     text = _moved("lagging compression", before, after, "creep_compression", why)
     yield abs(change), text
@@ -253,7 +253,7 @@ def _global_words(before: ArcResult, after: ArcResult) -> str:
     asked = _pull_words(before.arc, after.arc)
     if asked and more == asked.endswith("larger tension ratio"):
         return asked
-    if abs(second / first - 1.0) > 0.01:
+    if first > 0.0 and abs(second / first - 1.0) > 0.01:
         share = percent(abs(second / first - 1.0), 2)
         word = "more" if second > first else "less"
         return (
