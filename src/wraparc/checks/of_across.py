@@ -8,6 +8,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from wraparc.across import AcrossResult, AcrossStatus, slack_words
+from wraparc.arc.result import MORE_FRICTION
 from wraparc.checks.check import Check, Level, Place, escaped
 from wraparc.checks.of_drive import NO_RATING, tension_factor, tests_of
 from wraparc.checks.rule import Words, not_checked, origin
@@ -157,9 +158,8 @@ def _worst_place(
         "": (plain, plain),
         "lower": (f"{plain[:-1]} or less tension.", plain),
         "raise": (
-            "Even out the pulley, raise the slack-side tension, or choose a lagging with more "
-            "friction.",
-            "Even out the pulley, or choose a lagging with more friction.",
+            f"Even out the pulley, raise the slack-side tension, or {MORE_FRICTION}",
+            f"Even out the pulley, or {MORE_FRICTION}",
         ),
     }
     limits = [

@@ -10,6 +10,7 @@ import numpy as np
 
 from wraparc.alike import largest
 from wraparc.arc import ArcResult, Status
+from wraparc.arc.result import MORE_FRICTION
 from wraparc.arrays import Number
 from wraparc.checks.check import Check, Level, Place, escaped
 from wraparc.checks.design_standard import asked
@@ -29,13 +30,8 @@ BALANCE = 1e-4
 INTERVAL = "Creep at exit, end of the 95 % interval of the law"
 OWN_FACTORS = "taken where the drive file says nothing"
 #: What helps against slip, with more tension and without.
-MORE_GRIP = (
-    "Raise the slack-side tension, enlarge the wrap angle, or choose a lagging with more friction."
-)
-NO_TENSION = (
-    "No slack-side tension is enough: enlarge the wrap angle, or choose a lagging with more "
-    "friction."
-)
+MORE_GRIP = f"Raise the slack-side tension, enlarge the wrap angle, or {MORE_FRICTION}"
+NO_TENSION = f"No slack-side tension is enough: enlarge the wrap angle, or {MORE_FRICTION}"
 GRIP = "Safety against gross slip, {}"
 #: Where gross slip cannot be avoided, whatever its safety factor.
 NO_GRIP = Level.FAILS

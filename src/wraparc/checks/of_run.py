@@ -13,6 +13,7 @@ from weakref import WeakKeyDictionary
 
 import numpy as np
 
+from wraparc.arc.result import MORE_FRICTION
 from wraparc.checks import of_data, of_drive
 from wraparc.checks.check import Check, Level, Place, Verdict
 from wraparc.checks.judge import diameters, sound
@@ -294,14 +295,13 @@ def _creeps(
     drive: Drive, pulley: Pulley, drum: DrumHistory, place: Place, moves: bool
 ) -> Iterator[Check]:
     creep, limit = drum.extremes.creep, drive.creep_limit_of(pulley)
-    friction = "choose a lagging with more friction."
-    slower, otherwise = "", f"C{friction[1:]}"
+    slower, otherwise = "", f"C{MORE_FRICTION[1:]}"
     if moves:
         slower, otherwise = (
             "start and stop more slowly, ",
-            f"Start and stop more slowly, or {friction}",
+            f"Start and stop more slowly, or {MORE_FRICTION}",
         )
-    remedy = f"Raise the slack-side tension, {slower}or {friction}"
+    remedy = f"Raise the slack-side tension, {slower}or {MORE_FRICTION}"
     if creep.value > max(SLIDES, limit):
         slides = _slides(place, creep.value, creep.time, remedy)
         yield replace(slides, otherwise=otherwise)
