@@ -33,7 +33,11 @@ def run_sheet(run: RunResult) -> Sheet:
         title=f"{run.station.train.title or 'Drive'}: {run.event.name}",
         subtitle=f"{run.steps} steps of {quantity(run.step, 'time')}, "
         f"{quantity(float(run.time[-1]), 'time')} followed",
-        verdict=in_words(told, [*first, peaks, *others], [*kept, *others]),
+        verdict=under(
+            in_words(told, [*first, peaks, *others], [*kept, *others]),
+            judge(solve_train(run.station.train, raise_on_failure=False)),
+            "Steady",
+        ),
         tables=(*run_tables(run), check_table(told)),
         remarks=(*told.data, *_LEFT_OUT, *_surface(run.station.train)),
         sources=(run.station.source,) if run.station.source else (),

@@ -8,12 +8,11 @@ from contextlib import contextmanager
 
 import click
 
-from wraparc.checks import judge_run
 from wraparc.cli.answer import Answer, answers
 from wraparc.cli.options import positive
 from wraparc.cli.output import STANDARD_OUTPUT, Content
 from wraparc.cli.run_rows import streamed
-from wraparc.cli.solve import code_of, code_told
+from wraparc.cli.solve import code_told
 from wraparc.errors import input_error
 from wraparc.motion.checkpoint import Checkpoint
 from wraparc.motion.file import load_motion
@@ -83,13 +82,14 @@ def run(
     if not rows.cancelled:
         answer.write("plot", lambda: _picture(result, answer.units))
     printed = csv_file == STANDARD_OUTPUT
-    answer.give(lambda: run_sheet(result), lambda: run_document(result), shows=not printed)
+    told = run_sheet(result)
+    answer.give(lambda: told, lambda: run_document(result), shows=not printed)
     if rows.cancelled:
         with interrupted(lambda: rows.kept([plot_file] if plot_file else [])):
             raise KeyboardInterrupt
     for path in rows.drafts:
         click.echo(f"Wrote {path}", err=True)
-    return code_of(judge_run(result).level)
+    return code_told(told)
 
 
 @click.command()

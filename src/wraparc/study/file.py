@@ -232,7 +232,10 @@ def _ground(
         wet_factor(of.lagging_in(case.condition)) != 0.0 for case in drive.load_cases
     )
     some = f"load case {', '.join(loads)} only" if [*_left_out(drive, loads)] else ""
-    parts = ("dry only" if dry else "", some, before(drive).qualifier)
+    known = before(drive)
+    against = any(c.name == "take_up" for c in known.checks)
+    take_up = "with tensions that its take-up does not hold" if against else ""
+    parts = ("dry only" if dry else "", some, take_up, known.qualifier)
     return ", ".join(part for part in parts if part)
 
 
