@@ -143,7 +143,7 @@ def test_the_slack_side_of_a_train_is_raised_in_every_load_case(
     visitor.solved()
     # the second drum slips: no green beside it, whichever pulley is chosen
     expect(page.locator("#cases button").first).to_contain_text("design: second slips")
-    expect(page.locator("#verdict")).to_contain_text("design, second breaks away")
+    expect(page.locator("#verdict")).to_contain_text("design, second: breaks away")
     page.locator(".verdict").get_by_role("button", name="Raise T2 to").click()
     expect(page.locator("#toast")).to_contain_text("T2 is at least")
     visitor.solved()
@@ -184,5 +184,5 @@ def test_no_button_stands_where_no_number_is_the_advice(visitor: Visitor, tmp_pa
     assert told["given"] < told["tension"]
     visitor.load(file)
     visitor.solved()
-    expect(page.locator("#verdict")).to_contain_text("second breaks away")
+    expect(page.locator("#verdict")).to_contain_text("second: breaks away")
     expect(page.locator(".advice")).to_have_count(0)

@@ -14,8 +14,8 @@ import { verdictOf } from "./words.js";
 /** @import { Design, Level } from "../../types.d.ts" */
 /** @typedef {{title: string, does: string, doc: Design, creep: number, level: Level,
  *   helps: boolean}} Way
- *   creep [m], infinite where it slips; the level is that of the whole drive, and it helps if less
- *   is missed of that than now, and nothing new */
+ *   creep [m], infinite where it slips; the level is that of the whole drive, and it helps if that
+ *   is better than now, or less is missed and nothing new */
 
 const DEG = Math.PI / 180;
 /** Wraps that the least one is found between [deg], and that are offered. */
@@ -45,7 +45,7 @@ export async function find() {
   for (const [title, does, doc] of changes(quick.numbers)) {
     const told = await solved(doc, String(quick.load_case));
     if (!same(of)) return;
-    const helps = Boolean(told && before && less(told.levels, before.levels));
+    const helps = Boolean(told && before && better(told, before));
     if (told) found.push({ title, does, doc, helps, ...told });
   }
   await seekWrap(of, String(quick.load_case), quick.creep_limit);
@@ -86,12 +86,14 @@ function changes(n) {
     ],
   ];
 }
-/** Whether less is missed, and nothing that was not. @param {Record<string, Level>} after
- * @param {Record<string, Level>} before */
-function less(after, before) {
-  const now = (/** @type {string} */ name) => rank({ level: before[name] ?? "OK" });
-  const all = Object.entries(after).map(([name, level]) => rank({ level }) - now(name));
-  return all.every((d) => d <= 0) && all.some((d) => d < 0);
+/** Whether the verdict is better, or less is missed, nothing that was not, and nothing fails.
+ * @typedef {{level: Level, levels: Record<string, Level>}} Judged @param {Judged} after
+ * @param {Judged} before */
+function better(after, before) {
+  const now = (/** @type {string} */ name) => rank({ level: before.levels[name] ?? "OK" });
+  const all = Object.entries(after.levels).map(([name, level]) => rank({ level }) - now(name));
+  const less = all.every((d) => d <= 0) && all.some((d) => d < 0);
+  return rank(after) < rank(before) || (less && after.level === "ATTENTION");
 }
 /** An arc of another drive, and the verdict on that, or on one load case of it alone.
  * @param {Design} doc @param {string} load_case @param {string} [only] */
