@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import asdict
+from functools import lru_cache
 from typing import Any
 
 from wraparc.alike import largest, least
@@ -12,6 +13,7 @@ from wraparc.answer.checks_table import check_table
 from wraparc.answer.sheet import NONE, Row, Sheet, Table, Verdict, named, percent, quantity, term
 from wraparc.answer.words import in_words, told_twice, under
 from wraparc.checks import Level, judge, judge_run
+from wraparc.checks import Verdict as Judgement
 from wraparc.checks.of_run import otherwise
 from wraparc.drive.pitch import pitch_offset
 from wraparc.motion.result import RunResult
@@ -35,13 +37,19 @@ def run_sheet(run: RunResult) -> Sheet:
         f"{quantity(float(run.time[-1]), 'time')} followed",
         verdict=under(
             in_words(told, [*first, peaks, *others], [*kept, *others]),
-            judge(solve_train(run.station.train, raise_on_failure=False)),
+            _steady(run.station.train),
             "Steady",
         ),
         tables=(*run_tables(run), check_table(told)),
         remarks=(*told.data, *_LEFT_OUT, *_surface(run.station.train)),
         sources=(run.station.source,) if run.station.source else (),
     )
+
+
+@lru_cache(maxsize=4)  # a note tells several events of one train
+def _steady(train: Train) -> Judgement:
+    """Return what is judged of drives that run steadily."""
+    return judge(solve_train(train, raise_on_failure=False))
 
 
 def run_document(run: RunResult) -> dict[str, Any]:
@@ -221,7 +229,7 @@ def stability_sheet(result: StabilityResult) -> Sheet:
     return Sheet(
         title=f"{train.title or 'Drive'}: will it pulsate?",
         subtitle=f"run-out of the last drum {named('exit_creep', result.run_out)}",
-        verdict=under(_verdict(result, own), judge(solve_train(train, raise_on_failure=False))),
+        verdict=under(_verdict(result, own), _steady(train)),
         tables=(_sensitivity_table(result), _controls_table(result)),
         remarks=(*_LEFT_OUT, _NOT_EXCLUDED, *_surface(train)),
         sources=(result.linear.station.source,) if result.linear.station.source else (),

@@ -22,7 +22,7 @@ from wraparc.conveyor import Conveyor
 from wraparc.drive import Drive, LoadCase
 from wraparc.train import TrainResult
 
-nan, inf = math.nan, math.inf
+inf = math.inf
 
 #: Tension of a belt that does not hang slack [N].
 TAUT = 1.0
@@ -223,10 +223,8 @@ def _of_tension(rule: Rule, of: Spot, end: float) -> Iterator[Figure]:
     if not asks or value is None or words is None or words.missing:
         return
     more, least = of.state.width * 1e3, rule.tension == "raise"
-    allowed = rule.allowed(of) if rule.allowed else None
-    limit = rule.limited(nan if allowed is None else allowed, of.state)
     now = value(of.state)
-    rise = (limit - now) / (value(of.state.raised(more)) - now) * more
+    rise = (rule.limit_at(of) - now) / (value(of.state.raised(more)) - now) * more
     yield Figure(rule.name, words.title, end + rise, of.place, at_least=least)
 
 

@@ -222,8 +222,7 @@ class Rule:
             told = replace(check, value=value, dimension=self.dimension)
             yield told if words.told else check
             return
-        allowed = self.allowed(of) if self.allowed else None
-        limit = self.limited(math.nan if allowed is None else allowed, of.state)
+        limit = self.limit_at(of)
         if self.rounded is not None:
             value = self.rounded(value, limit, of.state)
         yield self.held(of.drive).judged(value, limit, of.place, words)
@@ -235,6 +234,11 @@ class Rule:
     def limited(self, allowed: Number, state: State[Number]) -> Number:
         """Return the limit in a state, of what is allowed."""
         return allowed if self.limit is None else self.limit(allowed, state)
+
+    def limit_at(self, of: Spot) -> float:
+        """Return the limit at a spot, nan where nothing is allowed."""
+        allowed = self.allowed(of) if self.allowed else None
+        return self.limited(math.nan if allowed is None else allowed, of.state)
 
     def held(self, drive: Drive) -> Rule:
         """Return the rule as a drive is held to it."""

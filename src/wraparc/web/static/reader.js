@@ -2284,7 +2284,7 @@ function in_page_checks__lift(result, _factor, _tight_rise) {
 return result.found.lift;
 }
 function* least_tension___of_tension(rule, of, end) {
-let allowed, asks, least, limit, more, now, rise, value, words;
+let asks, least, more, now, rise, value, words;
 
 ([words, value] = [$and(rule.words, () => rule.words(of)), rule.value]);
 (asks = $and(rule.tension, () => (rule.firm == null)));
@@ -2292,10 +2292,8 @@ if ((!$truth(asks) || (value == null) || (words == null) || $truth(words.missing
 return null;
 }
 ([more, least] = [$mul(of.state.width, 1000.0), ($eq(rule.tension, "raise"))]);
-(allowed = ($truth(rule.allowed) ? rule.allowed(of) : null));
-(limit = rule.limited(((allowed == null) ? NaN : allowed), $bound(of, "state")));
 (now = value($bound(of, "state")));
-(rise = $mul(($sub(limit, now) / $sub(value(of.state.raised(more)), now)), more));
+(rise = $mul(($sub(rule.limit_at(of), now) / $sub(value(of.state.raised(more)), now)), more));
 yield new Figure($bound(rule, "name"), $bound(words, "title"), $add(end, rise), $bound(of, "place"), undefined, least);
 }
 function least_tension__taut(conveyor) {
@@ -4190,17 +4188,6 @@ return "This belt does not qualify for more, as steel cord above ST1600 and fabr
 function of_drive___tight(state) {
 return state.tight;
 }
-function of_drive___running_tension(of) {
-return (($eq(of.case.kind, "running")) ? of_drive__allowed_tension($bound(of.drive, "belt"), $bound(of.case, "kind")) : null);
-}
-function of_drive__allowed_tension(belt, kind) {
-
-return ((belt.rating == null) ? null : $mul(of_drive__tension_factor(belt, kind), belt.rating));
-}
-function of_drive__tension_factor(belt, kind) {
-
-return (($eq(kind, "running")) ? 1.0 : $or(belt.momentary_factor, () => 1.0));
-}
 function of_drive___over_width(allowed, state) {
 return $mul(allowed, state.width);
 }
@@ -4223,12 +4210,13 @@ if (($truth(momentary) && (belt.momentary_factor == null))) {
 }
 return new Words(title, ("" + "rating of the belt" + $str(((!$eq(factor, 1.0)) ? ("" + " times " + $format(factor, ("" + "g"))) : "")) + ": " + $str(rule__origin($m.get(belt.sources, "rating", $bound(belt, "provenance"))))), "over belt rating", ("" + "The belt tension {value} is more than " + $str(said) + " allows, {limit}; it is {share} % of the rating."), undefined, undefined, remedy, otherwise, $map([["share", [($mul(100.0, of.state.tight) / $mul(belt.rating, belt.width)), "number"]]]));
 }
+function of_drive__tension_factor(belt, kind) {
+
+return (($eq(kind, "running")) ? 1.0 : $or(belt.momentary_factor, () => 1.0));
+}
 function rule__origin(provenance) {
 
 return $b.str(provenance);
-}
-function of_drive___momentary_tension(of) {
-return ((!$eq(of.case.kind, "running")) ? of_drive__allowed_tension($bound(of.drive, "belt"), $bound(of.case, "kind")) : null);
 }
 function of_drive___momentary(of) {
 return ((!$eq(of.case.kind, "running")) ? of_drive___of_tension(of, "Belt tension, momentary") : null);
@@ -4244,23 +4232,6 @@ return $and((strength != null), () => $and((rating != null), () => (strength >= 
 }
 function of_drive___belt_safety(state) {
 return ($mul(state.strength, state.width) / state.tight);
-}
-function of_drive___asked_safety(of) {
-return of_drive__asked_safety($bound(of.drive, "belt"), $bound(of.case, "kind"));
-}
-function of_drive__asked_safety(belt, kind) {
-let asked, rating, strength;
-
-([strength, rating] = [belt.breaking_strength, belt.rating]);
-if ((strength == null)) {
-return NaN;
-}
-(asked = $m.get($ca5fa, $bound(belt, "kind"), ((rating == null) ? NaN : 4.0)));
-if (((rating != null) && $truth(of_drive__rated(belt)))) {
-(asked = (strength / rating));
-}
-(asked = (asked / of_drive__tension_factor(belt, kind)));
-return $b.max(asked, 1.0);
 }
 function of_drive___safety(of) {
 let belt, factor, momentary, source, title, why;
@@ -4286,15 +4257,26 @@ if ($truth(of_drive__rated(belt))) {
 }
 return new Words(title, source, "belt safety factor", "The strength of the belt is {value} times its tension, below {limit} times.", "No belt is rated at more than a third of its strength.", undefined, "Lower the slack-side tension as far as the other checks allow, or take a wider or stronger belt.", "Take a wider or stronger belt.");
 }
+function of_drive__asked_safety(belt, kind) {
+let asked, rating, strength;
+
+([strength, rating] = [belt.breaking_strength, belt.rating]);
+if ((strength == null)) {
+return NaN;
+}
+(asked = $m.get($ca5fa, $bound(belt, "kind"), ((rating == null) ? NaN : 4.0)));
+if (((rating != null) && $truth(of_drive__rated(belt)))) {
+(asked = (strength / rating));
+}
+(asked = (asked / of_drive__tension_factor(belt, kind)));
+return $b.max(asked, 1.0);
+}
 function of_drive___tight_pressure(state) {
 return of_drive__wrap_pressure($bound(state, "tight"), state);
 }
 function of_drive__wrap_pressure(tension, state) {
 
 return ($mul(2.0, $sub(tension, state.centrifugal)) / $mul(state.width, state.diameter));
-}
-function of_drive___face_pressure(of) {
-return of.drive.belt.largest_wrap_pressure;
 }
 function of_drive___on_face(of) {
 let belt, title;
@@ -4303,9 +4285,6 @@ if ((belt.largest_wrap_pressure == null)) {
 return new Words(title, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, "the largest wrap pressure of the belt is not given");
 }
 return new Words(title, rule__origin($m.get(belt.sources, "largest_wrap_pressure", $bound(belt, "provenance"))), "face pressure", "The belt presses on the pulley face with {value}, more than {limit}.", undefined, undefined, "Take a larger or wider pulley, or less tension.", "Take a larger or wider pulley.");
-}
-function of_arc___bond_strength(of) {
-return of.pulley.lagging.bond_strength;
 }
 function of_arc___bond(of) {
 let says, title;
@@ -4325,9 +4304,6 @@ return new Words(title, undefined, undefined, undefined, undefined, undefined, u
 }
 return new Words(title, rule__origin(lagging.source_of(key)), short, says, undefined, undefined, "Choose a lagging with a stronger bond, a larger pulley, or less pull.");
 }
-function of_arc___fatigue_limit(of) {
-return of.pulley.lagging.fatigue_limit;
-}
 function of_arc___tires(of) {
 let found, more, often, pitch, says, speed, title;
 ([often, speed, more] = ["", of.drive.belt.speed, $b.dict()]);
@@ -4340,11 +4316,6 @@ $put(more, "passes", [pitch__turns_an_hour(speed, pitch), "number"]);
 (says = "At every pass the shear stress reaches {value}, above the fatigue limit {limit}");
 (found = of_arc___of_stress(of, "fatigue_limit", title, "lagging tires", ("" + $str(says) + $str(often) + ".")));
 return $replaced(found, new Map([["more", more]]));
-}
-function of_drive___pressure_max(of) {
-let tested;
-(tested = of.pulley.lagging.law.tested);
-return ((tested == null) ? null : tested.pressure_max);
 }
 function of_drive___tested_max(of) {
 let otherwise, why;
@@ -4365,11 +4336,6 @@ return ("" + "tests of lagging " + $str(pulley.lagging.name) + ": " + $str(rule_
 function of_drive___slack_pressure(state) {
 return of_drive__wrap_pressure($bound(state, "slack"), state);
 }
-function of_drive___pressure_min(of) {
-let tested;
-(tested = of.pulley.lagging.law.tested);
-return ((tested == null) ? null : tested.pressure_min);
-}
 function of_drive___tested_min(of) {
 let otherwise;
 if ((of.pulley.lagging.law.tested == null)) {
@@ -4378,21 +4344,11 @@ return null;
 (otherwise = "Test the lagging at this pressure.");
 return of_drive___of_pressure(of, "Least", "below", "Raise the slack-side tension, or t", otherwise);
 }
-function of_arc___slip_max(of) {
-let tested;
-(tested = of.pulley.lagging.law.tested);
-return ((tested == null) ? null : tested.slip_max);
-}
 function of_arc___slips(of) {
 if ((of.pulley.lagging.law.tested == null)) {
 return null;
 }
 return new Words("Largest slip, tested", of_drive__tests_of($bound(of, "pulley")), "slip beyond tests", ("" + "The slip {value} is beyond the {limit} that lagging " + $str(check__escaped($bound(of.pulley.lagging, "name"))) + " was tested to: there the friction is an extrapolation."), undefined, undefined, "Raise the slack-side tension, or test the lagging to this slip.", "Test the lagging to this slip.");
-}
-function of_arc___tested_speed(of) {
-let tested;
-(tested = of.pulley.lagging.law.tested);
-return ((tested == null) ? null : tested.slip_speed);
 }
 function of_arc___slips_fast(of) {
 let tested, title, why;
@@ -4412,9 +4368,6 @@ return new Words(title, of_drive__tests_of($bound(of, "pulley")), "slips faster 
 function of_drive___slack_end(state) {
 return state.slack_end;
 }
-function of_drive___sag_tension(of) {
-return ((of.drive.criteria.sag == null) ? null : of.drive.criteria.sag.tension);
-}
 function of_drive___sags(of) {
 let limits, title;
 
@@ -4429,9 +4382,6 @@ return new Words(title, limits.SOURCE, "sags", ("" + "The slack side, {value}, s
 }
 function of_drive___diameter(state) {
 return state.diameter;
-}
-function of_drive___least_diameter(of) {
-return of.drive.belt.least_pulley_diameter;
 }
 function of_drive___bends(of) {
 let belt, ends, pulley, title, why;
@@ -4664,11 +4614,43 @@ return null;
 }
 yield new Check("creep_interval", "Creep at exit, end of the 95 % interval of the law", "ATTENTION", of.place, undefined, undefined, undefined, undefined, undefined, "interval not found here", "By the uncertainty of the friction law the creep may be beyond its limit: this page does not find the interval.", "Solve the file with wraparc solve, which does.", undefined, undefined, false);
 }
+function of_drive___running_tension(of) {
+return (($eq(of.case.kind, "running")) ? of_drive__allowed_tension($bound(of.drive, "belt"), $bound(of.case, "kind")) : null);
+}
+function of_drive__allowed_tension(belt, kind) {
+
+return ((belt.rating == null) ? null : $mul(of_drive__tension_factor(belt, kind), belt.rating));
+}
+function of_drive___momentary_tension(of) {
+return ((!$eq(of.case.kind, "running")) ? of_drive__allowed_tension($bound(of.drive, "belt"), $bound(of.case, "kind")) : null);
+}
+function of_drive___asked_safety(of) {
+return of_drive__asked_safety($bound(of.drive, "belt"), $bound(of.case, "kind"));
+}
 function of_drive___rounded_safety(safety, asked, state) {
 let allowed;
 
 (allowed = ($mul(state.strength, state.width) / asked));
 return (((safety < asked) && $truth(numbers__same_shown($bound(state, "tight"), allowed))) ? asked : safety);
+}
+function of_drive___face_pressure(of) {
+return of.drive.belt.largest_wrap_pressure;
+}
+function of_arc___bond_strength(of) {
+return of.pulley.lagging.bond_strength;
+}
+function of_arc___fatigue_limit(of) {
+return of.pulley.lagging.fatigue_limit;
+}
+function of_drive___pressure_max(of) {
+let tested;
+(tested = of.pulley.lagging.law.tested);
+return ((tested == null) ? null : tested.pressure_max);
+}
+function of_drive___pressure_min(of) {
+let tested;
+(tested = of.pulley.lagging.law.tested);
+return ((tested == null) ? null : tested.pressure_min);
 }
 function* of_data___condition(of) {
 let _, grounds, lagging, law, says;
@@ -4705,6 +4687,16 @@ yield new Check("fit", ("" + "Friction of " + $str(lagging.name) + ", fit to its
 function of_data___accepted(reason) {
 return ($truth(reason) ? ("" + " The laboratory wrote it nevertheless: " + $str($m.rstrip(reason, ".")) + ".") : "");
 }
+function of_arc___slip_max(of) {
+let tested;
+(tested = of.pulley.lagging.law.tested);
+return ((tested == null) ? null : tested.slip_max);
+}
+function of_arc___tested_speed(of) {
+let tested;
+(tested = of.pulley.lagging.law.tested);
+return ((tested == null) ? null : tested.slip_speed);
+}
 function* of_arc___balance(of) {
 let arc, error, g, pull, result, value, words;
 
@@ -4725,6 +4717,12 @@ let exact, scale, told;
 (told = $b.max(exact, $mul($mul(1e-06, entry), $b.abs(g)), 1e-300));
 (scale = $b.max(exact, $mul($mul(1e-06, entry), $add($b.abs(g), $mul(entry, compliance)))));
 return ((scale > 0.0) ? ($mul($b.abs(error), told) / scale) : 0.0);
+}
+function of_drive___sag_tension(of) {
+return ((of.drive.criteria.sag == null) ? null : of.drive.criteria.sag.tension);
+}
+function of_drive___least_diameter(of) {
+return of.drive.belt.least_pulley_diameter;
 }
 function numbers__beyond(value, fails, at_most) {
 
@@ -7358,7 +7356,7 @@ return ("" + ", outside the usual " + $format(least, ("" + ".3f")) + " to " + $f
 $sig(Conveyor, ["length", "lift", "belt_mass", "carry_idler_mass", "return_idler_mass", "material_mass", "capacity", "friction_factor", "length_coefficient", "secondary_resistance", "special_resistance", "return_share", "start_factor", "start_time", "stop_time", "take_up_tension", "counterweight", "take_up_distance", "drive_at", "speed", "sheave_ratio"], false, {lift: () => 0.0, material_mass: () => null, capacity: () => null, friction_factor: () => 0.02, length_coefficient: () => null, secondary_resistance: () => null, special_resistance: () => 0.0, return_share: () => 0.0, start_factor: () => null, start_time: () => null, stop_time: () => null, take_up_tension: () => null, counterweight: () => null, take_up_distance: () => 0.0, drive_at: () => "head", speed: () => null, sheave_ratio: () => 2.0});
 class Rule extends $Object {
 *checks(of) {
-const self = this; let allowed, check, found, limit, missing, told, value, words;
+const self = this; let check, found, limit, missing, told, value, words;
 
 if ((self.asked != null)) {
 yield* $iter(self.asked(of));
@@ -7378,8 +7376,7 @@ if ($truth(missing)) {
 yield ($truth(words.told) ? told : check);
 return null;
 }
-(allowed = ($truth(self.allowed) ? self.allowed(of) : null));
-(limit = self.limited(((allowed == null) ? NaN : allowed), $bound(of, "state")));
+(limit = self.limit_at(of));
 if ((self.rounded != null)) {
 (value = self.rounded(value, limit, $bound(of, "state")));
 }
@@ -7389,9 +7386,11 @@ compared(state) {
 const self = this; 
 return ($truth(self.value) ? self.value(state) : $at(state.found, self.result));
 }
-limited(allowed, state) {
-const self = this; 
-return ((self.limit == null) ? allowed : self.limit(allowed, state));
+limit_at(of) {
+const self = this; let allowed;
+
+(allowed = ($truth(self.allowed) ? self.allowed(of) : null));
+return self.limited(((allowed == null) ? NaN : allowed), $bound(of, "state"));
 }
 held(drive) {
 const self = this; let firm;
@@ -7409,6 +7408,10 @@ const self = this; let kept, level, miss, says;
 (miss = new Miss($bound(self, "missed"), $bound(words, "short"), $bound(words, "says"), $bound(words, "remedy"), $bound(self, "fails_beyond"), $bound(words, "because"), $bound(self, "tolerates"), $bound(words, "allows"), $bound(words, "otherwise")));
 ([level, says] = miss.at(value, $bound(self, "at_most")));
 return new Check(self.name, words.title, ($truth(kept) ? "OK" : level), place, value, limit, self.dimension, self.at_most, words.source, ($truth(kept) ? "" : words.short), ($truth(kept) ? "" : says), ($truth(kept) ? "" : words.remedy), ($truth(kept) ? "" : words.otherwise), words.more, self.binding, miss);
+}
+limited(allowed, state) {
+const self = this; 
+return ((self.limit == null) ? allowed : self.limit(allowed, state));
 }
 }
 $sig(Rule, ["name", "what", "missed", "fails_beyond", "tolerates", "at_most", "dimension", "tension", "binding", "firm", "result", "value", "allowed", "limit", "rounded", "pulls", "of_rows", "of_runs", "words", "asked"], false, {missed: () => "ATTENTION", fails_beyond: () => NaN, tolerates: () => NaN, at_most: () => true, dimension: () => "number", tension: () => "", binding: () => true, firm: () => null, result: () => "", value: () => null, allowed: () => null, limit: () => null, rounded: () => null, pulls: () => false, of_rows: () => true, of_runs: () => true, words: () => null, asked: () => null});
@@ -9406,10 +9409,10 @@ const $c1e36 = ["dimension", "least"];
 const $cb8db = ["word", "kind"];
 const $c0b27 = ["kind"];
 const $c982d = ["text"];
-const $c5f12 = ["name", "what", "missed", "at_most", "dimension", "tension", "binding", "firm", "value", "allowed", "limit", "words"];
+const $c57b9 = ["name", "what", "missed", "at_most", "dimension", "tension", "binding", "firm", "value", "limit", "words"];
 const $c4a2b = new Map([["steel cord", 1600000.0], ["fabric", 140000.0]]);
 const $ca5fa = new Map([["steel cord", 6.666666666666667], ["fabric", 8.0]]);
-const $cb7c2 = ["name", "what", "missed", "at_most", "dimension", "tension", "binding", "firm", "result", "value", "allowed", "limit", "words"];
+const $cdeae = ["name", "what", "missed", "at_most", "dimension", "tension", "binding", "firm", "result", "value", "limit", "words"];
 const $c7c4c = ["balance", "train_balance", "across_balance"];
 const $c3c1c = ["cover_creep", "creep_interval", "tested_slip_speed"];
 const $c5573 = ["gross_slip", "operating_point", "fight"];
