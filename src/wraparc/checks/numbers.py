@@ -18,14 +18,36 @@ from wraparc.drive.pitch import USUAL_OFFSET
 IDLE = 1e-6
 #: Pull against each other over the largest pull that counts as none [-].
 SMALL_PULL = 1e-3
-#: More than any margin.
-BEHIND = 1e9
-#: Difference of margins that is rounding: of alike ones the first governs on every machine.
+#: Difference of shares used that is rounding: of alike ones the first governs on every machine.
 ALIKE = 1e-9
-#: Where what is missed without a number stands: before every margin.
-NUMBERLESS = -2.0 * BEHIND
-#: By how much what leads stands before its margin: before that too.
-AHEAD = 4.0 * BEHIND
+#: Largest share of a limit that orders checks, and distance of one kind of check from the next [-].
+MOST_USED, KIND_STEP = 4e3, 1e4
+#: Kinds of checks in the order in which they govern a verdict, those of one level.
+KINDS = (
+    ("balance", "train_balance", "across_balance"),
+    ("gross_slip", "operating_point", "slack_edge"),
+    ("opposing_drives", "run", "vibration"),
+    (
+        "belt_tension", "momentary_tension", "belt_safety", "face_pressure", "pulley_diameter",
+        "edge_tension", "static_edge_tension", "static_centre_tension", "transition_length",
+        "uneven_face_pressure", "crown", "sag", "taut", "motor_load", "momentary_load",
+        "motor_heat",
+    ),
+    ("bond_stress", "fatigue_stress", "uneven_bond_stress", "uneven_fatigue_stress"),
+    ("creep", "uneven_creep"),
+    ("design_standard",),
+    (
+        "tested_slip", "tested_slip_speed", "tested_pressure_max", "tested_pressure_min",
+        "uneven_pressure",
+    ),
+    ("creep_interval", "cover_creep"),
+    ("wet_creep",),
+    ("condition", "fit", "belt_thickness", "take_up", "meeting", "case_kind", "uneven_wear"),
+    ("usual_sizes", "profile_extent"),
+    ("reserve",),
+)  # fmt: skip
+#: The place of a check among the kinds, by its name.
+KIND_OF = {name: float(kind) for kind, names in enumerate(KINDS) for name in names}
 #: Part by which what a take-up holds may differ between load cases: belt mass on slopes, and what
 #: runs between take-up and drive [-].
 HELD = 0.1
@@ -94,29 +116,31 @@ def margin_of(value: float, limit: float, at_most: bool) -> float:
     return (1.0 if at_most else -1.0) * (1.0 - value / limit) + 0.0  # no -0.0
 
 
-#: Times the limit from which a value is told so, and not by a margin in percent.
-FAR = 10.0
-
-
-def times_of(value: float, limit: float) -> float:
-    """How many times its limit a value is, where it is far from it; nan where it is not [-]."""
-    if isnan(value) or isnan(limit) or limit <= 0.0 or not isfinite(value):
+def used_of(value: float, limit: float, at_most: bool) -> float:
+    """How much of a limit is used: value over a maximum, a minimum over the value; or nan [-]."""
+    if isnan(value) or isnan(limit) or limit == 0.0:
         return nan
-    return value / limit if value / limit >= FAR else nan
+    if at_most:
+        return value / limit
+    return limit / value if value > 0.0 else inf
 
 
-def order_of(margin: float, missed: bool, binding: bool, advises: bool, leads: bool) -> float:
-    """Place of a check among those of its level: the least governs, equal ones the first.
+def kind_of(name: str) -> float:
+    """Return the place of a check among `KINDS`; what stands nowhere is one of the data."""
+    return KIND_OF.get(name, KIND_OF["condition"])
 
-    What leads comes first whatever its margin, then what is missed without a number where it
-    binds a design, advice last.
+
+def order_of(used: float, missed: bool, kind: float) -> float:
+    """Return the place of a check among those of its level: the least governs.
+
+    Of what is missed the kind decides, then how much of the limit is used; what has no number comes
+    first of its kind. Of what passes only the use decides, and what has no number comes last.
     """
-    found = floor(margin / ALIKE + 0.5) * ALIKE if abs(margin) < BEHIND else margin
-    if isnan(margin):
-        found = NUMBERLESS if missed and binding else inf
-    if leads:
-        return min(found, BEHIND) - AHEAD
-    return max(found, -BEHIND) + 2.0 * BEHIND if missed and advises else found
+    if isnan(used) and not missed:
+        return inf
+    share = MOST_USED if isnan(used) else min(used, MOST_USED)
+    place = kind * KIND_STEP if missed else 0.0
+    return place - floor(share / ALIKE + 0.5) * ALIKE
 
 
 def idles(entry: float, leaving: float) -> bool:

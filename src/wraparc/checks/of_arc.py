@@ -10,14 +10,13 @@ import numpy as np
 
 from wraparc.alike import largest
 from wraparc.arc import ArcResult, Status
-from wraparc.arc.result import MORE_FRICTION
 from wraparc.arrays import Number
 from wraparc.checks.check import Check, Level, Place, escaped
-from wraparc.checks.design_standard import asked
+from wraparc.checks.design_standard import find_requirement
 from wraparc.checks.gross_slip import rises, sliding
-from wraparc.checks.numbers import asked_slack, balance_miss, idles, steepest
-from wraparc.checks.of_drive import MORE_CREEP, tests_of
-from wraparc.checks.rule import At, Rule, Spot, State, Words, idle, not_checked, origin
+from wraparc.checks.numbers import required_slack, balance_miss, idles, steepest
+from wraparc.checks.of_drive import LARGER_CREEP, tests_of
+from wraparc.checks.rule import At, CheckText, Rule, Spot, State, idle, not_checked, origin
 from wraparc.checks.sliding import CREEP, MOST, NOT_CARRIED, SLIDES, TESTED, Sliding
 from wraparc.drive import CREEP_LIMIT, Criteria, Drive, LoadCase, TakeUp
 from wraparc.drive.pitch import turns_an_hour
@@ -26,28 +25,28 @@ from wraparc.units import Dimension
 #: Largest miss of the energy balance that a solution is trusted with [-]; the usual mesh misses by
 #: 1.4e-5 at 0.8 m of creep, and by less than 1e-7 at creeps that a drive has.
 BALANCE = 1e-4
-#: Title of the check of the interval that a fitted law leaves.
-INTERVAL = "Creep at exit, end of the 95 % interval of the law"
-OWN_FACTORS = "taken where the drive file says nothing"
-#: What helps against slip, with more tension and without.
-MORE_GRIP = f"Raise the slack-side tension, enlarge the wrap angle, or {MORE_FRICTION}"
-NO_TENSION = f"No slack-side tension is enough: enlarge the wrap angle, or {MORE_FRICTION}"
-GRIP = "Safety against gross slip, {}"
+#: What to do about an error of the program.
+REPORT = "Do not use this result. Report the drive file."
+#: Noun of the slack-side tension that a design standard asks for.
+STANDARD_NOUN = "T2 by the design standard"
+#: Title and noun of the check of the interval that a fitted law leaves.
+INTERVAL, INTERVAL_NOUN = "Creep, 95 % bound", "creep, 95 % bound"
+OWN_FACTORS = "default of wraparc"
+GRIP, GRIP_NOUN = "Gross-slip safety", "gross-slip safety"
 #: Where gross slip cannot be avoided, whatever its safety factor.
 NO_GRIP = Level.FAILS
-#: What comes first where a belt slides: in a title, and as a sentence begins.
+#: What comes first where a belt slides, for --full.
 FIRST = {
-    CREEP: ("by creep", "The belt slides (creep of {slides})"),
-    TESTED: ("by tested slip", "The slip leaves the tests of lagging ⟦lagging⟧"),
-    MOST: ("by the largest friction", "All friction of the wrap is used up"),
+    CREEP: "A creep of {slides} comes first.",
+    TESTED: "The end of the tested slip of lagging ⟦lagging⟧ comes first.",
+    MOST: "The whole friction of the wrap comes first.",
 }
+TESTED_HEADLINE = "Slip leaves the tested range at {value} times Te, minimum {limit}"
 
 
 def no_state(result: ArcResult) -> str:
     """Say why an arc that is not solved has no numbers to be checked."""
-    if result.status is Status.UNSOLVED:
-        return "the arc was not solved"
-    return "in gross slip the belt has no state at rest"
+    return "not solved" if result.status is Status.UNSOLVED else "gross slip"
 
 
 def grip(drive: Drive, case: LoadCase, arcs: Sequence[ArcResult], index: int) -> Check:
@@ -55,15 +54,14 @@ def grip(drive: Drive, case: LoadCase, arcs: Sequence[ArcResult], index: int) ->
     result = arcs[index]
     take_up, name = drive.criteria.take_up, GROSS_SLIP.name
     place = Place(result.arc.pulley, case.name)
-    title = GRIP.format(case.kind)
     if result.status is Status.UNSOLVED:
         return Check(
-            name=name, title=title, level=Level.FAULT, short="not solved",
-            says=escaped(str(result.status)), place=place,
+            name=name, title=GRIP, noun=GRIP_NOUN, level=Level.FAULT, label="not solved",
+            headline="No solution", full=escaped(str(result.status)), action=REPORT, place=place,
         )  # fmt: skip
     if idle(result.arc):
         return Check(
-            name=name, title="No pull to carry", level=Level.OK, short="not driven", place=place
+            name=name, title=GRIP, noun=GRIP_NOUN, level=Level.OK, label="not driven", place=place
         )
     rise = rises([r.arc for r in arcs], index, take_up)
     return of_sliding(drive, case, result, sliding(result, rise))
@@ -71,93 +69,101 @@ def grip(drive: Drive, case: LoadCase, arcs: Sequence[ArcResult], index: int) ->
 
 def of_sliding(drive: Drive, case: LoadCase, result: ArcResult, found: Sliding) -> Check:
     """Return the check of the pull at which the belt slides, by what comes first there."""
-    safety, take_up, lagging = drive.criteria.safety, drive.criteria.take_up, result.arc.pulley
+    safety, take_up = drive.criteria.safety, drive.criteria.take_up
     rule, factor, gone = GROSS_SLIP, safety.of(case.kind), not result.status.solved
-    by, first = FIRST[found.cause]
-    title = f"{GRIP.format(case.kind)}, {by}"
     place = Place(result.arc.pulley, case.name)
     if math.isnan(found.place) and not gone:
-        return not_checked(rule.name, title, "where the belt slides was not found", place)
-    if found.cause == TESTED:  # what is not known to slide needs attention, and does not fail
+        why = "gross slip not located"
+        return not_checked(rule.name, GRIP, GRIP_NOUN, place, why=why)
+    tested = found.cause == TESTED and not gone
+    if tested:  # what is not known to slide needs attention, and does not fail
         rule = replace(rule, fails_beyond=math.nan)
-    first = first.replace("⟦lagging⟧", escaped(drive.pulley(lagging).lagging.name))
-    says = f"{first} at {{value}} times the pull, below {{limit}}; safety factor {case.kind}, "
-    says += f"{held_words(take_up)}."
-    words = Words(
-        title=title,
-        source=f"safety factor {case.kind}: {safety.source or OWN_FACTORS}",
-        short="pull beyond tests" if found.cause == TESTED else "near gross slip",
-        says=says,
-        because="So it slides.",
-        remedy=MORE_GRIP,
-        otherwise=NO_TENSION,
-        more={"slides": (SLIDES, "length")},
-    )
+    lagging = escaped(drive.pulley(result.arc.pulley).lagging.name)
     value = min(found.place, NOT_CARRIED) if gone else found.place
-    check = rule.judged(value, factor, place, words)
-    if not gone:
-        return check
-    says = f"Gross slip: no creep carries the pull. {says}"
-    return replace(check, level=NO_GRIP, says=says, short="gross slip", miss=None)
+    text = CheckText(
+        title=GRIP,
+        noun=GRIP_NOUN,
+        source=f"safety factor {case.kind}: {safety.source or OWN_FACTORS}",
+        label="slip beyond tests" if tested else "gross slip",
+        headline=TESTED_HEADLINE
+        if tested
+        else "Gross-slip safety {value} is below the {limit} minimum",
+        fails=NO_SAFETY,
+        full=f"{FIRST[found.cause].replace('⟦lagging⟧', lagging)} Safety factor {case.kind}, "
+        f"{constant_words(take_up)}.",
+        more={"slides": (SLIDES, "length"), "safety": (value, "number"), "one": (1.0, "number")},
+    )
+    check = rule.compare(value, factor, place, text)
+    return replace(check, level=NO_GRIP, headline=NO_SAFETY) if gone else check
 
 
+#: What a belt that slides says.
+NO_SAFETY = "Gross slip: safety {safety} is below {one}"
 GROSS_SLIP = Rule(
-    "gross_slip", "the safety against gross slip", at_most=False, fails_beyond=1.0,
+    "gross_slip", "the gross-slip safety", at_most=False, fails_beyond=1.0,
     tension="raise",
 )  # fmt: skip
 
 
-def held_words(take_up: TakeUp) -> str:
-    """Return what a take-up holds, in words."""
+def constant_words(take_up: TakeUp) -> str:
+    """Return what a take-up leaves constant, in words."""
     if take_up.fixed:
-        return "T1 + T2 held (fixed take-up)"
+        return "T1 + T2 constant (fixed take-up)"
     where = f"tension behind pulley {take_up.after}" if take_up.after else "T2"
-    return f"{escaped(where)} held (gravity take-up)"
+    return f"{escaped(where)} constant (gravity take-up)"
 
 
 def _standard(of: Spot) -> Iterator[Check]:
     """Check the slack side against the design standard, where one is asked for."""
     criteria, pulley = of.drive.criteria, of.pulley
-    found = asked(criteria.standard, criteria.take_up, pulley.lagging, pulley.wrap_angle)
-    tensions, rule = of.case.tensions[pulley.name], DESIGN_STANDARD.held(of.drive)
+    found = find_requirement(
+        criteria.standard, criteria.take_up, pulley.lagging, pulley.wrap_angle
+    )
+    tensions, rule = of.case.tensions[pulley.name], DESIGN_STANDARD.for_drive(of.drive)
     if found is None or idles(tensions.entry, tensions.exit):
         return
+    title, noun = f"T2 by {found.name}", STANDARD_NOUN
     if math.isnan(found.wrap_factor):
-        title = f"Slack side by {found.rule}"
         if not criteria.standard.name:
-            yield not_checked(rule.name, title, found.why_not, of.place)
+            yield not_checked(rule.name, title, noun, of.place, why=found.why_not)
             return
         yield Check(
             name=rule.name,
             title=title,
+            noun=noun,
             level=rule.missed,
             place=of.place,
-            short="standard not applicable",
-            says=escaped(f"{found.rule} was chosen and cannot be applied: {found.why_not}."),
-            remedy="Give what it asks for, or choose another design standard.",
+            label="standard not applicable",
+            headline=escaped(f"{found.name} does not apply: {found.why_not}"),
+            action="Set design_standard.friction.",
             binding=rule.binding,
         )
         return
-    chosen = "" if criteria.standard.name else " No standard was chosen: CEMA was taken."
-    start, (name, _, how) = "", found.rule.partition(", ")
+    assumed = "" if criteria.standard.name or criteria.standard.friction is not None else (
+        " No standard was chosen: CEMA assumed."
+    )  # fmt: skip
+    start = ""
     if criteria.standard.start_factor != 1.0 and of.case.kind == "running":
-        start = f" at {criteria.standard.start_factor:g} times the pull"
-    limit = design_slack(of, found.wrap_factor)
-    words = Words(
-        title=f"Slack side by {found.rule}",
+        start = f" at {criteria.standard.start_factor:g} times Te"
+    slack = "Slack-side tension T1" if tensions.entry < tensions.exit else "T2"
+    text = CheckText(
+        title=title,
+        noun=noun,
         source=found.source,
-        short="below standard",
-        says=f"Slack side {{value}} is below the {{limit}} of {name}; {how}{start}.{chosen}",
-        remedy="Raise the slack-side tension, or choose the design standard.",
-        otherwise="Choose the design standard.",
+        label="below standard",
+        headline=escaped(f"{slack} ") + "{value} " + escaped(f"is below the {found.name} minimum ")
+        + "{limit}",
+        action="Set design_standard.name." if assumed else "",
+        full=f"{escaped(found.how)}{start}.{assumed}",
     )
-    yield rule.judged(of.state.slack, limit, of.place, words)
+    limit = design_slack(of, found.wrap_factor)
+    yield rule.compare(of.state.slack, limit, of.place, text)
 
 
 def design_slack(of: At, factor: float) -> float:
     """Slack-side tension by a wrap factor, Cw times the pull that is designed for [N]."""
     start = start_factor(of.drive.criteria, of.case.kind)
-    return asked_slack(factor, start, of.case.tensions[of.pulley.name].effective)
+    return required_slack(factor, start, of.case.tensions[of.pulley.name].effective)
 
 
 def start_factor(criteria: Criteria, kind: str) -> float:
@@ -171,7 +177,7 @@ def _binds(drive: Drive) -> bool:
 
 DESIGN_STANDARD = Rule(
     "design_standard", "the design standard", at_most=False, dimension="force", tension="raise",
-    firm=_binds, pulls=True, of_runs=False, asked=_standard,
+    firm=_binds, pulls=True, of_runs=False, find_checks=_standard,
 )  # fmt: skip
 
 
@@ -179,62 +185,61 @@ def _creep_limit(_: Number, state: State[Number]) -> Number:
     return state.creep_limit
 
 
-def _creeps(of: Spot) -> Words:
+def _creep(of: Spot) -> CheckText:
     """Of the creep at the exit."""
     limit = of.state.creep_limit
-    return Words(
-        title="Creep at exit",
+    return CheckText(
+        title="Creep",
+        noun="creep",
         source="conservative limit, 1/4 in; B. DeVries, A model of lagging friction"
         if limit == CREEP_LIMIT
         else "given",
-        short="over creep limit",
+        label="creep",
+        headline="Creep {value} exceeds the {limit} limit",
+        fails="Creep {creep} exceeds {slides}: gross slip",
+        full=_allowance(of.drive, limit),
         more={
-            "fabric": (MORE_CREEP["fabric"], "force_per_width"),
+            "creep": (of.state.found.get("exit_creep", math.nan), "length"),
             "slides": (SLIDES, "length"),
-            "allowed": (EXIT_CREEP.tolerates, "length"),
+            "fabric": (LARGER_CREEP["fabric"], "force_per_width"),
+            "allowed": (2.0 * CREEP_LIMIT, "length"),
         },
-        says="Creeps {value}, more than the limit of {limit}.",
-        allows=_qualifies(of.drive, limit),
-        because="A belt that creeps more than {slides} slides.",
-        remedy=MORE_GRIP,
-        otherwise=NO_TENSION,
     )
 
 
 EXIT_CREEP = Rule(
-    "creep", "the creep limit", fails_beyond=SLIDES, tolerates=2.0 * CREEP_LIMIT,
+    "creep", "the creep limit", fails_beyond=SLIDES,
     dimension="length", tension="raise", result="exit_creep", limit=_creep_limit,
-    of_runs=False, words=_creeps,
+    of_runs=False, text=_creep,
 )  # fmt: skip
-#: Of a law that does not say what its slip includes, on a belt with a cover.
-COVER_UNKNOWN = "Whether the tested slip includes the shear of the belt cover is not known"
 
 
 def _cover_creep(of: Spot) -> Iterator[Check]:
     """Check the creep with the cover of the belt in series, where the law may include its shear."""
-    rule, title = COVER_CREEP, "Creep at exit, with the cover of the belt in series"
+    rule, title, noun = COVER_CREEP, "Creep with cover", "creep with cover"
     if of.result is None or of.result.arc.cover_left_out == 0.0:
         return
     if of.unknown:
-        yield not_checked(rule.name, title, of.unknown, of.place)
+        yield not_checked(rule.name, title, noun, of.place, why=of.unknown)
         return
     found = of.result.covered_creep
-    told = "the creep is {value}" if math.isfinite(found) else "the belt slips through"
-    words = Words(
+    text = CheckText(
         title=title,
+        noun=noun,
         source="shear of the cover of the belt",
-        short="limit within belt cover",
-        says=f"{COVER_UNKNOWN}: with the cover in series {told}, beyond the limit of {{limit}}.",
-        remedy="State the cover of the test belt with the shear tests, or raise the slack-side "
-        "tension.",
-        otherwise="State the cover of the test belt with the shear tests.",
+        label="creep with cover",
+        headline="Creep {value} with belt cover exceeds the {limit} limit"
+        if math.isfinite(found)
+        else "Gross slip with belt cover in series",
+        action="Give the test belt cover ([test_belt]).",
+        full="Unknown: whether the tested slip includes the shear of the belt cover.",
     )
-    yield rule.judged(abs(found), of.state.creep_limit, of.place, words)
+    yield rule.compare(abs(found), of.state.creep_limit, of.place, text)
 
 
 COVER_CREEP = Rule(
     "cover_creep", "the creep limit, with the cover of the belt in series", dimension="length",
-    tension="raise", binding=False, of_runs=False, asked=_cover_creep,
+    tension="raise", binding=False, of_runs=False, find_checks=_cover_creep,
 )  # fmt: skip
 
 
@@ -244,51 +249,49 @@ def creep_interval(of: Spot) -> Iterator[Check]:
         return
     fit = of.result.arc.fit
     if fit is not None and fit.knots and of.unknown:
-        yield not_checked(CREEP_INTERVAL.name, INTERVAL, of.unknown, of.place)
+        yield not_checked(CREEP_INTERVAL.name, INTERVAL, INTERVAL_NOUN, of.place, why=of.unknown)
         return
     ends = of.result.creep_interval
     if math.isnan(ends[0]):
         return
     most = largest(ends, abs)
-    told = "reaches {value}" if math.isfinite(most) else "reaches gross slip"
-    words = Words(
+    text = CheckText(
         title=INTERVAL,
+        noun=INTERVAL_NOUN,
         source=tests_of(of.pulley),
-        short="limit within uncertainty",
-        says=f"By the uncertainty of the friction law the creep {told}, beyond {{limit}}; that is "
-        "the end of its 95 % interval.",
-        remedy="Raise the slack-side tension, or test more samples of the lagging.",
-        otherwise="Test more samples of the lagging.",
+        label="creep, 95 % bound",
+        headline="Creep {value} (95 % bound) exceeds the {limit} limit"
+        if math.isfinite(most)
+        else "Gross slip is within the 95 % interval",
+        action="Try testing more samples.",
+        full="The bound is the end of the 95 % interval of the creep by the fitted friction law.",
     )
-    yield CREEP_INTERVAL.judged(abs(most), of.state.creep_limit, of.place, words)
+    yield CREEP_INTERVAL.compare(abs(most), of.state.creep_limit, of.place, text)
 
 
 CREEP_INTERVAL = Rule(
     "creep_interval", "the creep limit, at the end of the interval of the law",
     dimension="length", tension="raise", binding=False, of_rows=False,
-    of_runs=False, asked=creep_interval,
+    of_runs=False, find_checks=creep_interval,
 )  # fmt: skip
 OF_GRIP = (DESIGN_STANDARD, EXIT_CREEP, COVER_CREEP, CREEP_INTERVAL)
 
 
-def _qualifies(drive: Drive, limit: float) -> str:
+def _allowance(drive: Drive, limit: float) -> str:
     """Say whether the belt may creep more than the customary limit."""
     belt = drive.belt
     if limit != CREEP_LIMIT:
         return ""
-    least = MORE_CREEP.get(belt.kind)
+    least = LARGER_CREEP.get(belt.kind)
     steel, rating = belt.kind == "steel cord", belt.rating
     if least is None or (rating is None and not steel):
-        return "Whether this belt may creep more is not known: its carcass or rating is not given."
+        return "Unknown whether this belt may creep more: belt.kind or belt.rating missing."
     strong = belt.breaking_strength or 0.0
     over = strong > least if steel else (rating or 0.0) > least * (1.0 + 1e-9)
     if over:
-        return (
-            "Practice may allow this belt up to {allowed}, as it does steel cord above ST1600 and "
-            "fabric above {fabric} (B. DeVries)."
-        )
+        return "DeVries allows {allowed} for this belt (creep_limit)."
     if steel and not strong:
-        return "Steel cord above ST1600 may creep more; the name does not tell its strength."
+        return "DeVries allows more for steel cord above ST1600; the strength is unknown."
     return (
         "This belt does not qualify for more, as steel cord above ST1600 and fabric above "
         "{fabric} do (B. DeVries)."
@@ -299,17 +302,20 @@ def _bond_strength(of: At) -> float | None:
     return of.pulley.lagging.bond_strength
 
 
-def _bond(of: Spot) -> Words:
-    title = "Shear stress of lagging and bond, steady"
-    if of.place.event:
-        title = "Largest shear stress of lagging and bond"
-    says = "The shear stress of lagging and bond, {value}, is above their {limit}."
-    return _of_stress(of, "bond_strength", title, "bond overstressed", says)
+def _bond(of: Spot) -> CheckText:
+    return replace(
+        _stress(of, "bond_strength"),
+        title="Bond shear stress",
+        noun="bond shear stress",
+        label="bond stress",
+        headline="Bond shear stress {value} exceeds the strength {limit}",
+        action="Use a lagging with bond strength {stress} or more.",
+    )
 
 
 BOND_STRESS = Rule(
     "bond_stress", "the bond strength of the lagging", dimension="pressure",
-    result="peak_shear_stress", allowed=_bond_strength, words=_bond,
+    result="peak_shear_stress", allowed=_bond_strength, text=_bond,
 )  # fmt: skip
 
 
@@ -317,36 +323,40 @@ def _fatigue_limit(of: At) -> float | None:
     return of.pulley.lagging.fatigue_limit
 
 
-def _tires(of: Spot) -> Words:
-    often, speed, more = "", of.drive.belt.speed, dict[str, tuple[float, Dimension]]()
+def _fatigue(of: Spot) -> CheckText:
+    text, speed, full = _stress(of, "fatigue_limit"), of.drive.belt.speed, ""
+    more = dict(text.more)
     if speed is not None and of.result is not None:
-        often = "; the belt passes {passes} times an hour"
+        full = "The belt passes {passes} times an hour."
         pitch = of.result.arc.radius + of.result.arc.offset
         more["passes"] = turns_an_hour(speed, pitch), "number"
-    title = "Shear stress of lagging and bond, at every pass"
-    says = "At every pass the shear stress reaches {value}, above the fatigue limit {limit}"
-    found = _of_stress(of, "fatigue_limit", title, "lagging tires", f"{says}{often}.")
-    return replace(found, more=more)
+    return replace(
+        text,
+        title="Cyclic shear stress",
+        noun="cyclic shear stress",
+        label="fatigue",
+        headline="Cyclic shear stress {value} exceeds the fatigue limit {limit}",
+        action="Use a lagging with fatigue limit {stress} or more.",
+        full=full,
+        more=more,
+    )
 
 
 FATIGUE_STRESS = Rule(
     "fatigue_stress", "the fatigue limit of the lagging", dimension="pressure",
-    result="peak_shear_stress", allowed=_fatigue_limit, of_runs=False, words=_tires,
+    result="peak_shear_stress", allowed=_fatigue_limit, of_runs=False, text=_fatigue,
 )  # fmt: skip
 OF_LAGGING = (BOND_STRESS, FATIGUE_STRESS)
 
 
-def _of_stress(of: Spot, key: str, title: str, short: str, says: str) -> Words:
-    lagging = of.pulley.lagging
-    if getattr(lagging, key) is None:
-        why = f"the {key.replace('_', ' ')} of lagging {lagging.name} is not given"
-        return Words(title=title, missing=why)
-    return Words(
-        title=title,
+def _stress(of: Spot, key: str) -> CheckText:
+    """Of the shear stress of lagging and bond."""
+    lagging, stress = of.pulley.lagging, of.state.found.get("peak_shear_stress", math.nan)
+    return CheckText(
+        title="",
         source=origin(lagging.source_of(key)),
-        short=short,
-        says=says,
-        remedy="Choose a lagging with a stronger bond, a larger pulley, or less pull.",
+        more=dict[str, tuple[float, Dimension]](stress=(stress, "pressure")),
+        missing=f"lagging.{key}" if getattr(lagging, key) is None else "",
     )
 
 
@@ -355,23 +365,27 @@ def _slip_max(of: At) -> float | None:
     return None if tested is None else tested.slip_max
 
 
-def _slips(of: Spot) -> Words | None:
+def _slip(of: Spot) -> CheckText | None:
     if of.pulley.lagging.law.tested is None:
         return None
-    return Words(
-        title="Largest slip, tested",
+    slip = of.state.found.get("largest_slip", math.nan)
+    return CheckText(
+        title="Slip, tested range",
+        noun="slip",
         source=tests_of(of.pulley),
-        short="slip beyond tests",
-        says="The slip {value} is beyond the {limit} that lagging "
-        f"{escaped(of.pulley.lagging.name)} was tested to: there the friction is an extrapolation.",
-        remedy="Raise the slack-side tension, or test the lagging to this slip.",
-        otherwise="Test the lagging to this slip.",
+        label="slip beyond tests",
+        headline="Slip {value} exceeds the tested {limit}",
+        action="Test the lagging to {slip} slip.",
+        full=EXTRAPOLATED,
+        more={"slip": (slip, "length")},
     )
 
 
+#: What is true of friction outside its tests.
+EXTRAPOLATED = "There the friction is extrapolated."
 TESTED_SLIP = Rule(
-    "tested_slip", "the largest slip tested", dimension="length", tension="raise",
-    result="largest_slip", allowed=_slip_max, words=_slips,
+    "tested_slip", "the maximum slip tested", dimension="length", tension="raise",
+    result="largest_slip", allowed=_slip_max, text=_slip,
 )  # fmt: skip
 
 
@@ -380,29 +394,31 @@ def _tested_speed(of: At) -> float | None:
     return None if tested is None else tested.slip_speed
 
 
-def _slips_fast(of: Spot) -> Words | None:
-    tested, title = of.pulley.lagging.law.tested, "Slip speed, tested"
+def _speed(of: Spot) -> CheckText | None:
+    tested, title, noun = of.pulley.lagging.law.tested, "Slip speed, tested", "slip speed"
     if tested is None:
         return None
     if tested.slip_speed is None:
-        why = "the friction law does not say at which speed it was tested"
-        return Words(title=title, missing=why, told=True)
-    if of.drive.belt.speed is None or math.isnan(of.state.found.get("slip_speed", 0.0)):
-        return Words(title=title, missing="the belt speed is not given")
-    return Words(
+        missing = "law.slip_speed"
+        return CheckText(title=title, noun=noun, missing=missing, show_value=True)
+    speed = of.state.found.get("slip_speed", 0.0)
+    if of.drive.belt.speed is None or math.isnan(speed):
+        return CheckText(title=title, noun=noun, missing="belt.speed")
+    return CheckText(
         title=title,
+        noun=noun,
         source=tests_of(of.pulley),
-        short="slips faster than tests",
-        says="The belt slips at up to {value}, lagging "
-        f"{escaped(of.pulley.lagging.name)} was tested at {{limit}}: how its friction changes "
-        "with speed is not known.",
-        remedy="Test the lagging at this speed, or keep a larger safety factor.",
+        label="slip speed beyond tests",
+        headline="Slip speed {value} exceeds the tested {limit}",
+        action="Test the lagging at {speed}.",
+        full="How the friction changes with slip speed is unknown.",
+        more={"speed": (speed, "speed")},
     )
 
 
 TESTED_SLIP_SPEED = Rule(
     "tested_slip_speed", "the slip speed tested", dimension="speed", binding=False,
-    result="slip_speed", allowed=_tested_speed, words=_slips_fast,
+    result="slip_speed", allowed=_tested_speed, text=_speed,
 )  # fmt: skip
 
 
@@ -430,18 +446,19 @@ def _balance(of: Spot) -> Iterator[Check]:
     error, arc = result.energy.identity_error, result.arc
     pull, g = result.effective_tension, result.entry_creep_ratio
     value = balance_miss(error, pull, g, arc.entry_tension, arc.compliance)
-    words = Words(
-        title="Energy balance of the solution",
+    text = CheckText(
+        title="Energy balance",
+        noun="energy balance error",
         source="tolerance of the program",
-        short="out of balance",
-        says="The energy balance of the solution misses by {value}, more than {limit}.",
-        remedy="Please report the drive file; until then change a value slightly.",
+        label="internal error",
+        headline="Energy balance error {value} exceeds {limit}",
+        action=REPORT,
     )
-    yield ENERGY_BALANCE.judged(value, BALANCE, of.place, words)
+    yield ENERGY_BALANCE.compare(value, BALANCE, of.place, text)
 
 
 ENERGY_BALANCE = Rule(
     "balance", "the energy balance", missed=Level.FAULT, binding=False, of_rows=False,
-    of_runs=False, asked=_balance,
+    of_runs=False, find_checks=_balance,
 )  # fmt: skip
 OF_SLIP = (TESTED_SLIP, TESTED_SLIP_SPEED, ENERGY_BALANCE)

@@ -12,8 +12,8 @@ from typing import Generic, Literal, Protocol
 
 from wraparc.arc import ArcResult, WrapArc
 from wraparc.arrays import Number
-from wraparc.checks.check import Check, Level, Miss, Place, escaped, keeps
-from wraparc.checks.numbers import idles
+from wraparc.checks.check import Check, Level, Place, keeps
+from wraparc.checks.numbers import beyond, idles
 from wraparc.drive import Drive, LoadCase, Pulley
 from wraparc.provenance import Provenance
 from wraparc.units import Dimension
@@ -112,28 +112,33 @@ class Spot(At):
 
 
 @dataclass(frozen=True, kw_only=True)
-class Words:
-    """What a check says at a spot; see `Check` and `Miss` for what is not told here.
+class CheckText:
+    """The texts of a check at a spot; see `Check` for what is not described here.
 
     Attributes
     ----------
-    missing
-        Why nothing is compared; empty where it is.
-    told
-        Whether the value is told then nevertheless.
+    headline
+        What is wrong where the limit is missed.
+    fails
+        The same where the value is on the far side of `Rule.fails_beyond`; `headline` unless given.
+    missing, why
+        Key that is missing, or reason for which nothing is compared; empty where it is.
+    show_value
+        Whether the value is shown then nevertheless.
     """
 
     title: str
+    noun: str = ""
+    headline: str = ""
+    fails: str = ""
+    action: str = ""
+    full: str = ""
+    label: str = ""
     source: str = ""
-    short: str = ""
-    says: str = ""
-    because: str = ""
-    allows: str = ""
-    remedy: str = ""
-    otherwise: str = ""
     more: Mapping[str, tuple[float, Dimension]] = field(default_factory=dict)
     missing: str = ""
-    told: bool = False
+    why: str = ""
+    show_value: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -150,8 +155,8 @@ class Rule:
         Level where it is not kept.
     fails_beyond
         Value beyond which a miss fails [SI]; nan for none.
-    tolerates
-        Value up to which practice may allow a miss [SI]; nan for none.
+    is_percent
+        Whether value and limit are shares that are shown in percent.
     at_most
         Whether the limit is an upper one.
     dimension
@@ -177,10 +182,10 @@ class Rule:
     of_rows, of_runs
         Whether it is asked of many arcs at once, and of an event in time by what that comes to at
         its worst, where it is known.
-    words
-        What it says; None where it is not asked at a spot.
-    asked
-        Yields its checks at a spot, in the place of value, limit and words.
+    text
+        Its texts; None where it is not made at a spot.
+    find_checks
+        Yields its checks at a spot, in the place of value, limit and texts.
     """
 
     name: str
@@ -188,7 +193,7 @@ class Rule:
     _: KW_ONLY
     missed: Level = Level.ATTENTION
     fails_beyond: float = math.nan
-    tolerates: float = math.nan
+    is_percent: bool = False
     at_most: bool = True
     dimension: Dimension = "number"
     tension: Literal["", "raise", "lower"] = ""
@@ -202,30 +207,32 @@ class Rule:
     pulls: bool = False
     of_rows: bool = True
     of_runs: bool = True
-    words: Callable[[Spot], Words | None] | None = None
-    asked: Callable[[Spot], Iterator[Check]] | None = None
+    text: Callable[[Spot], CheckText | None] | None = None
+    find_checks: Callable[[Spot], Iterator[Check]] | None = None
 
     def checks(self, of: Spot) -> Iterator[Check]:
         """Yield what it finds at a spot."""
-        if self.asked is not None:
-            yield from self.asked(of)
+        if self.find_checks is not None:
+            yield from self.find_checks(of)
             return
-        words = self.words(of) if self.words else None
+        text = self.text(of) if self.text else None
         found = self.result in of.state.found
-        if words is None or (self.result and not found and not of.unknown):
+        if text is None or (self.result and not found and not of.unknown):
             return  # nothing is solved here, or an event does not tell it
         value = math.nan if self.result and not found else self.compared(of.state)
-        missing = words.missing or (of.unknown if self.result else "")
-        missing = missing or ("its value is not known" if math.isnan(value) else "")
-        if missing:
-            check = not_checked(self.name, words.title, missing, of.place)
-            told = replace(check, value=value, dimension=self.dimension)
-            yield told if words.told else check
+        why = text.why or (of.unknown if self.result else "")
+        if not (text.missing or why) and math.isnan(value):
+            why = "value unknown"
+        if text.missing or why:
+            title, noun = text.title, text.noun
+            check = not_checked(self.name, title, noun, of.place, missing=text.missing, why=why)
+            shown = replace(check, value=value, dimension=self.dimension)
+            yield shown if text.show_value else check
             return
         limit = self.limit_at(of)
         if self.rounded is not None:
             value = self.rounded(value, limit, of.state)
-        yield self.held(of.drive).judged(value, limit, of.place, words)
+        yield self.for_drive(of.drive).compare(value, limit, of.place, text)
 
     def compared(self, state: State[Number]) -> Number:
         """Return what is compared."""
@@ -240,57 +247,53 @@ class Rule:
         allowed = self.allowed(of) if self.allowed else None
         return self.limited(math.nan if allowed is None else allowed, of.state)
 
-    def held(self, drive: Drive) -> Rule:
-        """Return the rule as a drive is held to it."""
+    def for_drive(self, drive: Drive) -> Rule:
+        """Return the rule with the level and the force that it has for a drive."""
         if self.firm is None:
             return self
         firm = self.firm(drive)
         return replace(self, missed=Level.FAILS if firm else self.missed, binding=firm)
 
-    def judged(self, value: float, limit: float, place: Place, words: Words) -> Check:
-        """Return the check of a value against its limit: OK, or what is said where it misses."""
-        kept = not math.isnan(value) and keeps(value, limit, at_most=self.at_most)
-        miss = Miss(
-            self.missed,
-            words.short,
-            words.says,
-            words.remedy,
-            self.fails_beyond,
-            words.because,
-            self.tolerates,
-            words.allows,
-            words.otherwise,
-        )
-        level, says = miss.at(value, self.at_most)
+    def compare(self, value: float, limit: float, place: Place, text: CheckText) -> Check:
+        """Return the check of a value against its limit."""
+        passes = not math.isnan(value) and keeps(value, limit, at_most=self.at_most)
+        fails = beyond(value, self.fails_beyond, self.at_most)
+        headline = text.fails if fails and text.fails else text.headline
+        level = Level.FAILS if fails else self.missed
         return Check(
             name=self.name,
-            title=words.title,
-            level=Level.OK if kept else level,
-            miss=miss,
+            title=text.title,
+            level=Level.OK if passes else level,
+            place=place,
+            quantity=self.result or self.name,
+            noun=text.noun,
             value=value,
             limit=limit,
             dimension=self.dimension,
+            is_percent=self.is_percent,
             at_most=self.at_most,
-            says="" if kept else says,
-            remedy="" if kept else words.remedy,
-            otherwise="" if kept else words.otherwise,
-            short="" if kept else words.short,
-            place=place,
-            source=words.source,
+            headline="" if passes else headline,
+            action="" if passes else text.action,
+            full="" if passes else text.full,
+            label="" if passes else text.label,
+            source=text.source,
+            more=text.more,
             binding=self.binding,
-            more=words.more,
         )
 
 
-def not_checked(name: str, title: str, why: str, place: Place) -> Check:
-    """Return a check that could not be made, with the reason."""
+def not_checked(
+    name: str, title: str, noun: str, place: Place, *, missing: str = "", why: str = ""
+) -> Check:
+    """Return a check that could not be made, with the key that is missing or the reason."""
     return Check(
         name=name,
         title=title,
         level=Level.NOT_CHECKED,
         place=place,
-        says=escaped(f"{title}: not checked, {why}."),
-        short=why,
+        noun=noun,
+        missing=missing,
+        why=why,
     )
 
 
