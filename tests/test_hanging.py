@@ -83,7 +83,7 @@ def run(folder: Path, *files: str, grace: float = hanging.GRACE) -> str:
         (folder / f"test_{number}.py").write_text(text)
     command = [sys.executable, "-m", "pytest", "-c", f"{ROOT}/pyproject.toml", "--rootdir", ".",
                "-p", "xdist", "-p", "pytest_timeout", "-n", "2", "--dist", "loadfile",
-               "-o", "addopts=", "."]  # fmt: skip
+               "-o", "addopts=", "-o", "required_plugins=", "."]  # fmt: skip
     environment = {**os.environ, "PYTHONPATH": str(ROOT / "tests"),
                    "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1"}  # fmt: skip
     environment.pop("PYTEST_ADDOPTS", None)
