@@ -60,11 +60,11 @@ def _wet(result: DriveResult) -> tuple[float, bool]:
     See `Verdict.wet`.
     """
     most, over, drive = -1.0, False, result.drive
+    if not of_data.is_dry_only(drive):
+        return most, over
     for arc in result:
         condition = drive.load_case(arc.arc.load_case).condition
         factor = of_data.wet_factor(drive.pulley(arc.arc.pulley).lagging_in(condition))
-        if factor == 0.0:
-            return -1.0, False
         if not idle(arc.arc):
             creep = wet(arc, factor)
             most = creep if math.isnan(creep) else max(most, creep)
@@ -75,8 +75,8 @@ def _wet(result: DriveResult) -> tuple[float, bool]:
 def sound(checks: tuple[Check, ...], least: LeastTension | None) -> tuple[Check, ...]:
     """Return checks that advise nothing which does not help, or works against another check.
 
-    A tension is raised or lowered only where one keeps every binding check, and a pulley is evened
-    out only where an even one would do.
+    A tension is raised or lowered only where one keeps every binding check and this one, and a
+    pulley is evened out only where an even one would do.
     """
     missed = [(c.name, c.place) for c in checks if c.missed]
     names = {name for name, _ in missed}
@@ -99,9 +99,8 @@ def _helps(check: Check, least: LeastTension | None, both: bool) -> bool:
     own = next((f for f in least.figures if f.name == check.name), None)
     if own is None and both:  # across the width: one asks for more, another for less
         return False
-    top = least.highest
-    too_much = own is not None and top is not None and own.at_least and own.tension > top.tension
-    return math.isfinite(least.tension) and not too_much
+    helps = own is None or not own.at_least or own in least.required
+    return math.isfinite(least.tension) and helps
 
 
 def before(described: Drive | Train) -> Verdict:

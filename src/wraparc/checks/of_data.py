@@ -25,6 +25,12 @@ def wet_factor(lagging: Lagging) -> float:
         return math.nan
 
 
+def is_dry_only(drive: Drive) -> bool:
+    """Return whether a drive is described dry in every load case, so that wet is an estimate."""
+    laggings = (p.lagging_in(case.condition) for case in drive.load_cases for p in drive.pulleys)
+    return all(wet_factor(lagging) != 0.0 for lagging in laggings)
+
+
 def _condition(of: Spot) -> Iterator[Check]:
     """Ask for attention where a law stands for a surface that it was not tested on."""
     lagging = of.pulley.lagging

@@ -9,7 +9,7 @@ import math
 from wraparc.arc import ArcResult
 from wraparc.checks import of_arc
 from wraparc.checks.check import Level, Place
-from wraparc.checks.of_arc import GROSS_SLIP, OF_GRIP, OF_LAGGING, OF_SLIP
+from wraparc.checks.of_arc import GROSS_SLIP, OF_GRIP, OF_LAGGING, OF_SLIP, WET_CREEP
 from wraparc.checks.of_data import OF_LAW
 from wraparc.checks.of_drive import BELT_THICKNESS, OF_BELT, OF_TESTS, PULLEY_DIAMETER, SAG, TAUT
 from wraparc.checks.of_train import OF_MOTORS, TRAIN_BALANCE_RULE
@@ -25,6 +25,7 @@ RULES = {
     for rule in (
         GROSS_SLIP,
         *OF_PULLEY,
+        WET_CREEP,
         TAUT,
         PULLEY_DIAMETER,
         BELT_THICKNESS,
