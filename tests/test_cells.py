@@ -5,24 +5,28 @@ form has rules of its own.
 """
 
 import math
+from typing import Literal
 
 import numpy as np
 import pytest
 
 from wraparc.units import (
     Cell,
+    Dimension,
     System,
     bare,
     cells_in,
     display,
     distinct,
     either,
+    format_limit,
     in_unit,
     in_units,
     percent,
     quantity,
     unit_of,
 )
+from wraparc.units.cell import Form
 
 SYSTEMS: tuple[System, ...] = ("si", "us")
 
@@ -52,6 +56,15 @@ def test_what_is_no_number_is_a_text() -> None:
         (Cell(118_612.0, "force", form="up"), "119 kN", "26700 lbf"),
         (Cell(118_612.0, "force", form="down"), "118 kN", "26600 lbf"),
         (Cell(118_612.0, "force", form="bare up"), "119", "26700"),
+        (Cell(62_911.0, "force", form="up"), "63.0 kN", "14200 lbf"),
+        (format_limit(62_911.0, "force", "minimum"), "63.0 kN", "14200 lbf"),
+        (format_limit(62_911.0, "force", "maximum"), "62.9 kN", "14100 lbf"),
+        (format_limit(6.35e-3, "length", "maximum"), "6.35 mm", "0.25 in"),
+        (format_limit(0.012, "speed", "maximum"), "12 mm/s", "0.472 in/s"),
+        (format_limit(math.inf, "force", "maximum"), "without bound", "without bound"),
+        (Cell(84_021.5, "force", form="to up", other=50e3), "50 to 84.1 kN", "11200 to 18900 lbf"),
+        (Cell(84_021.5, "force", form="to down", other=9e4), "90 to 84.0 kN", "20200 to 18800 lbf"),
+        (Cell(210e3, "force", form="of", other=150_210.0), "150 of 210 kN", "33800 of 47200 lbf"),
         (Cell(0.0123, "speed"), "0.0123 m/s", "2.42 fpm"),
         (Cell(0.0123, "speed", form="slip"), "12.3 mm/s", "0.484 in/s"),
         (Cell(30e3, "force", form="to", other=50e3), "50 to 30 kN", "11200 to 6740 lbf"),
@@ -75,6 +88,26 @@ def test_numbers_are_told_apart_in_each_system() -> None:
     )
     assert [in_units(text) for text in texts] == ["6.351 mm", "6.353 mm"]
     assert [in_units(text, "us") for text in texts] == ["0.2500 in", "0.2501 in"]
+
+
+@pytest.mark.parametrize(
+    ("value", "limit", "sense", "texts"),
+    [
+        (6.3512e-3, 6.35e-3, "maximum", ["6.351 mm", "6.350 mm"]),
+        (7e-3, 6.35e-3, "maximum", ["7 mm", "6.35 mm"]),
+        (999.96e-3, 1.0, "minimum", ["999.96 mm", "1000.0 mm"]),
+        (60e3, 62_911.0, "minimum", ["60 kN", "63.0 kN"]),
+        (62_988.0, 62_992.0, "minimum", ["62.99 kN", "63.00 kN"]),
+    ],
+)
+def test_a_limit_and_what_misses_it_never_read_alike(
+    value: float, limit: float, sense: Literal["maximum", "minimum"], texts: list[str]
+) -> None:
+    """By hand; digits are added to both until they differ."""
+    form: Form = "exceeds" if sense == "maximum" else "below"
+    dimension: Dimension = "force" if limit > 10.0 else "length"
+    value_cell = Cell(value, dimension, form=form, other=limit)
+    assert [*map(in_units, (value_cell, format_limit(limit, dimension, sense, value)))] == texts
 
 
 def test_a_text_tells_its_numbers() -> None:

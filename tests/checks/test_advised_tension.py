@@ -19,7 +19,7 @@ from wraparc import Drive, Lagging, load_lagging, solve
 from wraparc.answer.least_tension import at_least, least_sentence, least_table
 from wraparc.answer.sheet import shown
 from wraparc.checks import RULES, LeastTension, judge, least_tension
-from wraparc.checks.of_data import is_dry_only
+from wraparc.checks.of_wet import is_dry_only
 from wraparc.drive import Belt, Criteria, DesignStandard, Fit, Sag, TakeUp
 from wraparc.drive.conditions import Condition
 from wraparc.friction import IntegralLog, PressureKnots
@@ -60,7 +60,7 @@ def missed_for_tension(of: Drive) -> set[str]:
     """Return the checks that more tension helps against and that are missed, wet solved anew."""
     missed = {c.name for c in judge(solve(of, raise_on_failure=False)).missed} & RAISING
     (head,) = of.pulleys
-    if is_dry_only(of) and head.lagging.surface:
+    if is_dry_only(of, of.load_cases[0]) and head.lagging.surface:
         wet = Condition(name="wet").lagging(head.lagging)
         result = solve(replace(of, pulleys=(replace(head, lagging=wet),)), raise_on_failure=False)
         missed_wet = {c.name for c in judge(result).missed}
@@ -148,7 +148,8 @@ def test_each_reason_governs_some_drive() -> None:
 
 def test_what_no_tension_keeps_sets_none_and_is_named_so() -> None:
     """Wet it asks for more than the rating of the belt allows: the dry creep governs."""
-    of = replace(drive(180e3, 90e3, load_lagging("diamond-rubber")), criteria=NONE)
+    never_covered = Criteria(standard=DesignStandard(name="none"))
+    of = replace(drive(180e3, 90e3, load_lagging("diamond-rubber")), criteria=never_covered)
     result = solve(of, raise_on_failure=False)
     found = least_tension(result)
     assert found is not None
@@ -157,5 +158,5 @@ def test_what_no_tension_keeps_sets_none_and_is_named_so() -> None:
     assert math.isfinite(found.tension)
     table = least_table(result)
     assert table is not None
-    notes = [row.note for row in table.rows if row.label.startswith("Creep when wet")]
+    notes = [row.note for row in table.rows if row.title.startswith("Creep when wet")]
     assert notes == ["not counted, as no tension keeps all, pulley head, load case full"]

@@ -79,7 +79,7 @@ def what_if_sheet(found: WhatIf, title: str) -> Sheet:
             as_is.level,
             f"{_headline(found)} {wet}".rstrip(),
             tuple(sentences),
-            re.sub("^OK( dry only)?", r"\g<0> as it is", as_is.word),
+            re.sub(r"^OK( \(dry\))?", r"\g<0> as it is", as_is.word),
             kept=tuple(kept),
         ),
         tables=(

@@ -13,11 +13,11 @@ import numpy as np
 
 from wraparc.arrays import Number
 from wraparc.checks.numbers import AHEAD, BEHIND, beyond, kept, margin_of, order_of, times_of
-from wraparc.units import RESULT_DIGITS, Cell, Dimension, System, in_units, quantity
+from wraparc.units import Cell, Dimension, System, in_units, quantity
 from wraparc.units.cell import Form
 
 #: Checks that advise where they are missed, as a design standard does that does not bind.
-ADVICE = ("cover_creep", "creep_interval", "tested_slip_speed")
+ADVICE = ("cover_creep", "creep_interval", "tested_slip_speed", "wet_creep")
 #: Checks of the solution itself: what keeps its limit is rounding, and no number that is known.
 NUMERICAL = ("balance", "train_balance", "across_balance")
 #: What is said of the drive and compares nothing: no row of a table of checks, and not counted.
@@ -284,16 +284,9 @@ class Verdict:
     ----------
     checks
         Every check at every place, in the order they are told.
-    wet
-        Largest creep when wet of a drive that was computed dry only [m]: infinite in gross slip,
-        nan if nothing is known of it; negative where it was not computed dry only.
-    over_wet
-        Whether a creep when wet is beyond its limit.
     """
 
     checks: tuple[Check, ...]
-    wet: float = -1.0
-    over_wet: bool = False
 
     @cached_property
     def governing(self) -> Check | None:
@@ -328,8 +321,18 @@ class Verdict:
         """Word of the verdict; an OK says what it is limited to, and what data it stands on."""
         if self.level is not Level.OK:
             return str(self.level)
-        ok = str(Level.OK) if self.wet < 0.0 else f"{Level.OK} dry only"
-        return f"{ok}, {self.qualifier}" if self.qualifier else ok
+        return f"{self.ok_word}, {self.qualifier}" if self.qualifier else self.ok_word
+
+    @property
+    def ok_word(self) -> str:
+        """Word of an OK, which says where nothing is known of the drive when wet."""
+        dry = self.wet is not None and self.wet.level is Level.NOT_CHECKED
+        return f"{Level.OK} (dry)" if dry else str(Level.OK)
+
+    @property
+    def wet(self) -> Check | None:
+        """The estimated creep when wet, where it is largest; None where none is estimated."""
+        return next((c for c in self.listed if c.name == "wet_creep"), None)
 
     @cached_property
     def listed(self) -> tuple[Check, ...]:
@@ -397,7 +400,7 @@ class Verdict:
             return f"{placed(said)}{self._sense()} {odd.said} {self.action}".rstrip()
         if worst.missed:
             return f"{placed(worst)}{self._sense()}"
-        text = self._kept(sum(c.compares for c in self.listed))
+        text = f"All {sum(c.compares for c in self.listed)} checks are kept"
         if math.isnan(worst.margin) or math.isinf(worst.margin):
             return f"{text}.{self._sense()}"
         value, _ = worst.texts()
@@ -428,28 +431,13 @@ class Verdict:
             told += f" {title}{some}."
         return told
 
-    def _kept(self, count: int) -> str:
-        """Say that checks are kept; of a drive computed dry only, what wet would give."""
-        if self.over_wet:
-            return f"{self.beyond_wet()}: all {count} checks are kept dry only"
-        told = f"All {count} checks are kept"
-        if self.wet < 0.0:
-            return told
-        known = not math.isnan(self.wet)
-        return f"{told}, dry only{f' ({self._when_wet()})' if known else ''}"
-
-    def _when_wet(self) -> str:
-        if math.isinf(self.wet):
-            return "wet it slips through"
-        digits = RESULT_DIGITS + self.over_wet  # in which 6.354 mm is beyond 6.35 mm
-        return f"wet it creeps {quantity(self.wet, 'length', digits)}"
-
-    def beyond_wet(self) -> str:
-        """Return, without a full stop, that wet a limit is missed which is kept dry; or nothing."""
-        if not self.over_wet:
-            return ""
-        limit = ", beyond its limit" if math.isfinite(self.wet) else ""
-        return f"{_capital(self._when_wet())}{limit}"
+    def _when_wet(self) -> list[str]:
+        """Say of an OK what the estimate when wet comes to, or that there is none."""
+        if self.wet is None or self.level is not Level.OK:
+            return []
+        if self.wet.level is Level.NOT_CHECKED:
+            return [f"Wet: not checked, {self.wet.short}."]
+        return [f"Wet: creep {self.wet.texts()[0]} (estimated) passes."]
 
     def sentences(self, system: System = "si") -> tuple[str, ...]:
         """Return what is missed besides the headline, as texts in a system of units."""
@@ -461,6 +449,7 @@ class Verdict:
         first = {c.name for c in (self.governing, self.odd) if c is not None}
         others = (check for check in self.missed if check.name not in first)
         told = [f"{check.level}: {placed(check)}" for check in others]
+        told += self._when_wet()
         if self.level.rank > Level.OK.rank and self.qualifier:
             told.append(f"All of this stands {self.qualifier}.")
         return tuple(told)

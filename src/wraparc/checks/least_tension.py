@@ -16,8 +16,8 @@ from wraparc.checks.check import Level, Place
 from wraparc.checks.design_standard import asked
 from wraparc.checks.gross_slip import lift, rises
 from wraparc.checks.least_numbers import Pull, least_for_creep, least_for_slip
-from wraparc.checks.of_arc import COVER_CREEP, CREEP_INTERVAL, WET_CREEP, design_slack
-from wraparc.checks.of_data import is_dry_only, wet_factor
+from wraparc.checks.of_arc import COVER_CREEP, CREEP_INTERVAL, design_slack
+from wraparc.checks.of_wet import WET_CREEP, estimate_factor
 from wraparc.checks.rule import Rule, Spot, idle
 from wraparc.checks.rules import OF_PULLEY, spot_of
 from wraparc.checks.sliding import with_friction
@@ -168,11 +168,10 @@ def figures(result: DriveResult, drive: Drive) -> Iterator[Figure]:
     It stands at one place and holds one tension: what a load case asks for is what it has there,
     and what its slack side lacks.
     """
-    dry = is_dry_only(result.drive)
     for name, arcs in _by_case(result).items():
         case = result.drive.load_case(name)
         end = drive.take_up_tension(case)
-        yield from _figures(result.drive.in_case(case), case, arcs, end, dry)
+        yield from _figures(result.drive.in_case(case), case, arcs, end)
     if drive.conveyor is not None:
         yield taut(drive.conveyor)
 
@@ -217,7 +216,7 @@ def _pulls(result: ArcResult) -> bool:
 
 
 def _figures(
-    drive: Drive, case: LoadCase, arcs: Sequence[ArcResult], end: float, dry: bool
+    drive: Drive, case: LoadCase, arcs: Sequence[ArcResult], end: float
 ) -> Iterator[Figure]:
     """Yield what every check asks of the take-up: all tensions rise with `end`, what it holds."""
     for index, result in enumerate(arcs):
@@ -227,7 +226,7 @@ def _figures(
             least = result.capacities.least_exit_tension
             yield Figure("creep", "Creep", offset + (inf if math.isnan(least) else least), place)
             yield from _slip(result, offset, place)
-            yield from _estimates(spot, result, offset, dry)
+            yield from _estimates(spot, result, offset)
             yield from _standard(spot, offset)
             yield _gross_slip(drive, case, arcs, index, end)
         for rule in OF_PULLEY:
@@ -277,9 +276,9 @@ def least_with_slip(result: ArcResult, limit: float) -> float:
     return found + arc.centrifugal
 
 
-def _estimates(spot: Spot, result: ArcResult, offset: float, dry: bool) -> Iterator[Figure]:
+def _estimates(spot: Spot, result: ArcResult, offset: float) -> Iterator[Figure]:
     """Yield what the checks ask for that estimate a larger creep than that of the arc."""
-    factor = wet_factor(spot.pulley.lagging) if dry else math.nan
+    factor = estimate_factor(spot)
     for rule, title, asks in (
         (COVER_CREEP, "Creep with the cover of the belt in series", least_when_covered(result)),
         (CREEP_INTERVAL, "Creep at the end of its interval", least_by_interval(result)),

@@ -268,11 +268,6 @@ CREEP_INTERVAL = Rule(
     dimension="length", tension="raise", binding=False, of_rows=False,
     of_runs=False, asked=creep_interval,
 )  # fmt: skip
-#: The creep that wet leaves of a drive which was solved dry only, see `Verdict.wet`.
-WET_CREEP = Rule(
-    "wet_creep", "the creep limit when wet", dimension="length", tension="raise", binding=False,
-    of_rows=False, of_runs=False,
-)  # fmt: skip
 OF_GRIP = (DESIGN_STANDARD, EXIT_CREEP, COVER_CREEP, CREEP_INTERVAL)
 
 

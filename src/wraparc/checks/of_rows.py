@@ -30,10 +30,11 @@ from wraparc.checks.of_arc import (
 from wraparc.checks.of_data import CONDITION, FIT
 from wraparc.checks.of_drive import BELT_THICKNESS, open_shift
 from wraparc.checks.of_train import OF_MOTORS
+from wraparc.checks.of_wet import WET_CREEP, estimate_factor
 from wraparc.checks.rule import At, Rule, State
 from wraparc.checks.rules import ACROSS_CHECKS, RESULTS, RULES
 from wraparc.checks.sliding import CREEP, NOT_CARRIED, TESTED
-from wraparc.checks.sliding_rows import LoadedRows, pulls_at_sliding
+from wraparc.checks.sliding_rows import LoadedRows, pulls_at_sliding, wet_creeps
 from wraparc.checks.usual import USUAL_RULE, least_margin, sizes_of
 from wraparc.drive import Drive
 from wraparc.drive.changes import WORN
@@ -76,6 +77,9 @@ class Held:
     standard
         Slack-side tension that the design standard asks for [N]; infinite where a chosen one
         cannot be applied.
+    wet_factor
+        Friction over dry friction for the estimate when wet, nan if not known, 0 for no estimate
+        [-].
     cover_left_out
         h_b/G_b of a belt cover that the slip of the law may include or not [m/Pa].
     scaled
@@ -95,6 +99,7 @@ class Held:
     tight_rise: Array
     slack_rise: Array
     standard: Array
+    wet_factor: Array
     cover_left_out: Array
     scaled: Flags
     misfit: Flags
@@ -191,6 +196,7 @@ def held_by(
         tight_rise=tight_rise,
         slack_rise=slack_rise,
         standard=np.where(never, math.inf, np.where(never, 0.0, factors) * pull),
+        wet_factor=column(estimate_factor),
         cover_left_out=column(_cover_left_out),
         scaled=column(_scaled) > 0.0,
         misfit=column(_misfit) > 0.0,
@@ -374,6 +380,12 @@ def _checks(
                 creep = _covered_creep(arcs, held, factors, setting, np.flatnonzero(there))
                 limit = np.where(there, arcs.creep_limit, none)
                 yield rule.name, *_compared(rule, held, creep, limit)
+        elif rule is WET_CREEP:
+            dry = kept_rows(np.abs(solved["exit_creep"]), arcs.creep_limit, at_most=True)
+            wet = np.where(solved.solved & dry & ~idle, held.wet_factor, none)
+            creep = wet_creeps(arcs, wet, factors, setting)
+            limit = np.where(wet > 0.0, arcs.creep_limit, none)
+            yield rule.name, *_compared(rule, held, creep, limit)
         elif rule is USUAL_RULE:
             yield rule.name, *_usual_sizes(held)
         elif rule in flags:

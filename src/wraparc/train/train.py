@@ -25,7 +25,7 @@ from wraparc.drive import (
     laggings_of,
     repeated,
 )
-from wraparc.drive.drive import flying_problems, named, side_problems
+from wraparc.drive.drive import covered_problems, flying_problems, named, side_problems
 from wraparc.drive.load_case import heaviest
 from wraparc.errors import Problem, shown
 from wraparc.schema.limits import limit_problems, name_problems, raise_all
@@ -215,6 +215,7 @@ class Train:
             least = min(case.entry_tension, case.exit_tension)
             problems += flying_problems(self.belt, f"load_case.{case.name}", least)
         problems += side_problems(self.belt, self.pulleys)
+        problems += covered_problems(self.criteria, self.conditions, self.pulleys)
         raise_all(problems)
 
     @classmethod

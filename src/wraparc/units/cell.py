@@ -10,7 +10,13 @@ from collections.abc import Callable, Iterable, Iterator
 from functools import lru_cache
 from typing import Literal, Self, get_args
 
-from wraparc.units.digits import RESULT_DIGITS, safe
+from wraparc.units.digits import (
+    NOTHING,
+    RESULT_DIGITS,
+    every_digit,
+    every_limit_digit,
+    rounded_limit,
+)
 from wraparc.units.display import System, display, display_unit, joined, parts, unit_row
 from wraparc.units.parse import unit_factor
 from wraparc.units.table import DIMENSIONS, Dimension
@@ -20,12 +26,15 @@ NONE = "-"
 _UNBOUNDED = "without bound"
 #: How a cell is shown: with its unit; without, as under a head that has it; the unit alone; as a
 #: share [%]; rounded to the safe side, upwards or down; as a speed of slip; in as many digits as
-#: tell it from another number; and from that number to it, ``0 to 22.5 deg`` or ``0-22.5 deg``.
+#: tell it from another number; a limit, a maximum rounded down and a minimum up, and a value that
+#: misses it, both in as many digits as tell them apart; and from another number to it,
+#: ``0 to 22.5 deg`` or ``0-22.5 deg``, that rounded up or down, or as a maximum, ``150 of 210 kN``.
 Form = Literal[
-    "", "bare", "unit", "percent", "up", "bare up", "down", "slip", "apart", "slip apart", "to", "-"
-]
+    "", "bare", "unit", "percent", "up", "bare up", "down", "slip", "apart", "slip apart",
+    "maximum", "minimum", "exceeds", "below", "to", "-", "to up", "to down", "of",
+]  # fmt: skip
 #: Forms of two numbers, which a range begins and ends with.
-RANGES: tuple[Form, ...] = ("to", "-")
+RANGES: tuple[Form, ...] = ("to", "-", "to up", "to down", "of")
 #: Digits of numbers that differ: no more are needed to tell them apart.
 MOST_DIGITS = 9
 _FORMS = frozenset(get_args(Form))
@@ -99,35 +108,104 @@ def cell_text(
         return row.unit
     if form == "percent":
         return display(100.0 * value, "number", system, digits) + " %"
-    if form in ("up", "bare up", "down"):
-        value = safe(value, row.factor, form != "down")
-    if form in ("bare", "bare up"):
+    if form == "bare up":
+        return rounded_limit(value / row.factor, digits, True)
+    if form == "bare":
         return display(value / row.factor, "number", system, digits)
-    return _with_unit(value, dimension, digits, form, other, system)
+    if form in ("apart", "slip apart"):
+        return _apart(value, dimension, digits, other, system, form == "slip apart")
+    if form in ("exceeds", "below", "maximum", "minimum"):
+        return _missed(value, dimension, digits, form, other, system)
+    if form in ("to", "-", "to up", "to down", "of"):
+        return _range(value, dimension, digits, form, other, system)
+    if form in ("up", "down"):
+        return joined(_limit(value, dimension, system, digits, form == "up"))
+    return joined(_told(value, dimension, system, digits, form == "slip"))
 
 
-def _with_unit(
+def _told(
+    number: float, dimension: Dimension, system: System, digits: int, slow: bool
+) -> tuple[str, str]:
+    """Return number and unit; a slow speed, where it may be one of slip, in mm/s."""
+    if not math.isfinite(number):
+        return NONE if math.isnan(number) else _UNBOUNDED, ""
+    if slow and dimension == "speed" and abs(number) < _SLOW:
+        unit, size = _slow_unit(system)
+        return display(number / size, "number", system, digits), unit
+    return parts(number, dimension, system, digits)
+
+
+def _slow_unit(system: System) -> tuple[str, float]:
+    return ("mm/s", 1e-3) if system == "si" else ("in/s", 0.0254)
+
+
+def _limit(
+    number: float, dimension: Dimension, system: System, digits: int, up: bool
+) -> tuple[str, str]:
+    """Return number and unit of a limit, rounded up or down."""
+    text, unit = _told(number, dimension, system, digits, True)
+    if not math.isfinite(number) or abs(number) < NOTHING:
+        return text, unit
+    return rounded_limit(_in_unit(number, dimension, system, unit), digits, up), unit
+
+
+def _in_unit(number: float, dimension: Dimension, system: System, unit: str) -> float:
+    """Return a number in the unit that `_told` shows it with."""
+    row = unit_row(dimension, system)
+    slow, size = _slow_unit(system)
+    if dimension == "speed" and unit == slow:
+        return number / size
+    for _, other, factor, zero in row.larger:
+        if unit == other:
+            return (number - zero) / factor
+    return number / row.factor
+
+
+def _missed(
     value: float, dimension: Dimension, digits: int, form: Form, other: float, system: System
 ) -> str:
-    def told(number: float, places: int) -> tuple[str, str]:
-        if not math.isfinite(number):
-            return NONE if math.isnan(number) else _UNBOUNDED, ""
-        if form in ("slip", "slip apart") and dimension == "speed" and abs(number) < _SLOW:
-            unit, size = ("mm/s", 1e-3) if system == "si" else ("in/s", 0.0254)
-            return display(number / size, "number", system, places), unit
-        return parts(number, dimension, system, places)
+    """Return a limit, or a value that misses it, in as many digits as tell both apart."""
+    is_limit, up = form in ("maximum", "minimum"), form in ("minimum", "below")
+    limit, compared = (value, other) if is_limit else (other, value)
+    plain = _limit(limit, dimension, system, digits, up)
+    if math.isnan(other) or not (math.isfinite(value) and math.isfinite(other)):
+        return joined(plain if is_limit else _told(value, dimension, system, digits, True))
+    told = _told(compared, dimension, system, digits, True)
+    if joined(plain) != joined(told):
+        return joined(plain if is_limit else told)
+    for more in range(digits + 1, MOST_DIGITS + 1):
+        first = every_limit_digit(_in_unit(limit, dimension, system, told[1]), more, up)
+        second = every_digit(_in_unit(compared, dimension, system, told[1]), more)
+        if first != second:
+            return joined((first if is_limit else second, told[1]))
+    return joined(plain if is_limit else told)  # alike in all of them: no digit tells
 
+
+def _apart(
+    value: float, dimension: Dimension, digits: int, other: float, system: System, slow: bool
+) -> str:
+    """Return a value in as many digits as tell it from another."""
+    for more in range(digits, MOST_DIGITS + 1):
+        text = joined(_told(value, dimension, system, more, slow))
+        if text != joined(_told(other, dimension, system, more, slow)):
+            return text
+    return joined(_told(value, dimension, system, digits, slow))
+
+
+def _range(
+    value: float, dimension: Dimension, digits: int, form: Form, other: float, system: System
+) -> str:
+    """Return two numbers, with one unit where both have the same."""
+    first = _told(other, dimension, system, digits, False)
     if form in ("to", "-"):
-        first, last = told(other, digits), told(value, digits)
+        last = _told(value, dimension, system, digits, False)
         if joined(first) == joined(last):
             return joined(last)
-        begin = first[0] if first[1] == last[1] else joined(first)
-        return begin + (" to " if form == "to" else "-") + joined(last)
-    if form in ("apart", "slip apart"):
-        for more in range(digits, MOST_DIGITS + 1):
-            if joined(told(value, more)) != joined(told(other, more)):
-                return joined(told(value, more))
-    return joined(told(value, digits))  # alike in all of them: no digit tells
+    else:
+        last = _limit(value, dimension, system, digits, form == "to up")
+    begin = first[0] if first[1] == last[1] else joined(first)
+    between = " of " if form == "of" else " to "
+    return begin + ("-" if form == "-" else between) + joined(last)
 
 
 def quantity(
@@ -139,6 +217,33 @@ def quantity(
     if math.isinf(value):
         return _UNBOUNDED
     return Cell(value, dimension, digits, name=name)
+
+
+def format_limit(
+    value: float,
+    dimension: Dimension,
+    sense: Literal["maximum", "minimum"],
+    missed_by: float = math.nan,
+    name: str = "",
+) -> str:
+    """Return the cell of a limit [SI], with which it holds as it is shown.
+
+    A maximum is rounded down, a minimum up; what was given in four digits or less is not rounded.
+
+    Parameters
+    ----------
+    value, dimension
+        The limit [SI] and what it measures.
+    sense
+        Which of both it is.
+    missed_by
+        Value that misses it [SI], from which it is told apart by more digits; nan for none.
+    name
+        Name in the glossary, or empty.
+    """
+    if not math.isfinite(value):
+        return quantity(value, dimension)
+    return Cell(value, dimension, form=sense, other=missed_by, name=name)
 
 
 def bare(value: float, dimension: Dimension, digits: int = RESULT_DIGITS, name: str = "") -> str:

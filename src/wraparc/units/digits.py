@@ -33,13 +33,44 @@ def safe(value: float, size: float, up: bool) -> float:
     number = value / size
     if not math.isfinite(number) or abs(number) < NOTHING:
         return value
-    shown = read(rounded(number, RESULT_DIGITS))
+    shown = _stepped(number, RESULT_DIGITS, up)
+    return value if shown == number else shown * size
+
+
+def rounded_limit(number: float, digits: int, up: bool) -> str:
+    """Return a number with so many significant digits, rounded up or down.
+
+    What `GIVEN_DIGITS` hold entirely was given, and stays as it is.
+    """
+    if not math.isfinite(number) or abs(number) < NOTHING:
+        return rounded(number, digits)
+    shown = _stepped(number, digits, up)
+    return rounded(number, digits) if shown == number else every_digit(shown, digits)
+
+
+def every_limit_digit(number: float, digits: int, up: bool) -> str:
+    """Return a number rounded up or down to so many significant digits, zeros at its end too."""
+    return every_digit(_stepped(number, digits, up), digits)
+
+
+def every_digit(number: float, digits: int) -> str:
+    """Return a number with so many significant digits, zeros at its end too."""
+    if number == 0.0 or not math.isfinite(number):
+        return rounded(number, digits)
+    text = scientific(number, digits - 1)
+    power = exponent_of(text)
+    return fixed(read(text), max(0, digits - 1 - power)) if -4 <= power < 12 else text
+
+
+def _stepped(number: float, digits: int, up: bool) -> float:
+    """Return a number rounded up or down to so many digits; itself where they hold it."""
+    shown = read(rounded(number, digits))
     if _equal(shown, number):
-        return value
+        return number
     if (shown < number) == up:
-        step = 10.0 ** (exponent_of(scientific(shown, 3)) - RESULT_DIGITS + 1)
+        step = 10.0 ** (exponent_of(scientific(shown, 3)) - digits + 1)
         shown += step if up else -step
-    return shown * size
+    return shown
 
 
 def _equal(a: float, b: float) -> bool:

@@ -187,7 +187,7 @@ class Criteria(NamedTuple):
     cover: float  # compliance of a cover that the slip of the law may hold or not [m/Pa]
     strength: float  # breaking strength of the belt, nan if not known [N]
     pulley_mass: float  # nan if not known [kg]
-    wet: float  # what wet leaves of dry friction, nan if not known; 0 where it is not dry [-]
+    wet: float  # wet friction over dry friction, nan if not known; 0 for no estimate [-]
 
 
 class Found(NamedTuple):
