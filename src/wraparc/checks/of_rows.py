@@ -346,7 +346,7 @@ def worst_of_rows(
     n = len(solved.arcs)
     level, governing = np.zeros(n, dtype=np.int8), np.zeros(n, dtype=np.int8)
     least = np.full(n, math.inf)
-    for name, ranks, margins in _checks(solved, held, factors, setting):
+    for name, ranks, margins in row_checks(solved, held, factors, setting):
         worse = (ranks > level) | ((ranks == level) & (ranks > 0) & (margins < least))
         worse |= (ranks > 0) & (governing == 0)
         level = np.where(worse, ranks, level).astype(np.int8)
@@ -357,7 +357,7 @@ def worst_of_rows(
     return level, governing, least
 
 
-def _checks(
+def row_checks(
     solved: BatchResult, held: Held, factors: tuple[Array, Array], setting: Setting
 ) -> Iterator[tuple[str, Array, Array]]:
     """Yield name, rank of the level and margin of every check in the order of `RULES`."""

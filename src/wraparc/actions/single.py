@@ -1,0 +1,90 @@
+"""Variants judged one by one, by the solver and the judge of every door."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from math import isfinite
+
+from wraparc.actions.document import Source
+from wraparc.actions.variant import IMPOSSIBLE, Outcome, Variant
+from wraparc.checks.check import Level, Verdict
+from wraparc.checks.judge import judge
+from wraparc.checks.least_tension import least_tension
+from wraparc.drive import Drive, Tensions
+from wraparc.errors import InputError
+from wraparc.train import Train
+from wraparc.train.whole import Described, Whole, by_pulley, solved
+
+
+class SingleEvaluator:
+    """Judges the variants of a drive or train, each solved in all its load cases."""
+
+    def __init__(self, source: Source) -> None:
+        self._source = source
+
+    def __call__(self, variants: list[Variant]) -> list[Outcome]:
+        """Return the outcome of each variant."""
+        return [self.judged(variant) for variant in variants]
+
+    def judged(self, variant: Variant) -> Outcome:
+        """Return the outcome of one variant."""
+        try:
+            described = self._source.read(self._source.changes(variant))
+            if variant.pull:
+                described = with_pull(described, variant.pull)
+            return outcome_of(solved(described))
+        except InputError:
+            return IMPOSSIBLE
+
+
+def outcome_of(result: Whole) -> Outcome:
+    """Return what the judgement of a solved drive or train comes to."""
+    verdict, least = judge(result), least_tension(result)
+    stated = 0.0 if least is None or not isfinite(least.tension) else least.tension
+    used = {c.name: share_of(c.value, c.limit, c.at_most) for c in verdict.missed}
+    creeps = [abs(arc.exit_creep) for arc in by_pulley(result) if arc.status.solved]
+    return Outcome(
+        possible=True,
+        levels={c.name: c.level.rank for c in verdict.missed},
+        passed=passed_of(verdict),
+        used=used,
+        creep=max(creeps, default=0.0),
+        tension=stated,
+    )
+
+
+def passed_of(verdict: Verdict) -> tuple[str, ...]:
+    """Return the names of the checks that pass."""
+    return tuple(c.name for c in verdict.listed if c.level is Level.OK)
+
+
+def share_of(value: float, limit: float, at_most: bool) -> float:
+    """Return a value over its maximum, or a minimum over its value [-]; 0 where there is none."""
+    over, under = (value, limit) if at_most else (limit, value)
+    return over / under if under > 0.0 and isfinite(over) else 0.0
+
+
+def with_pull(described: Described, factor: float) -> Described:
+    """Return a drive or train with a factor on its effective tension, the slack side as it is."""
+    if isinstance(described, Train):
+        cases = []
+        for case in described.cases:
+            slack, rise = min(case.entry_tension, case.exit_tension), case.entry_tension
+            rise -= case.exit_tension
+            ends = (slack + factor * max(rise, 0.0), slack + factor * max(-rise, 0.0))
+            cases.append(replace(case, entry_tension=ends[0], exit_tension=ends[1]))
+        return replace(described, cases=tuple(cases))
+    return with_drive_pull(described, factor)
+
+
+def with_drive_pull(drive: Drive, factor: float) -> Drive:
+    """Return the same of a drive of one pulley."""
+    cases = []
+    for case in drive.load_cases:
+        tensions = {}
+        for name, at in case.tensions.items():
+            slack = min(at.entry, at.exit)
+            ends = (slack + factor * (at.entry - slack), slack + factor * (at.exit - slack))
+            tensions[name] = Tensions(entry=ends[0], exit=ends[1])
+        cases.append(replace(case, tensions=tensions))
+    return replace(drive, load_cases=tuple(cases), conveyor=None)
