@@ -69,7 +69,7 @@ class Source:
         """
         values = {change.key: setting(change) for change in changes}
         found = drive_or_train_from_document(
-            put_over(self.read_from.document, values, TRAIN_FILE),
+            put_over(dict(self.read_from.document), values, TRAIN_FILE),
             folder=self.read_from.folder,
             allow_paths=self.read_from.allow_paths,
         )

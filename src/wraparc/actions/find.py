@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import isfinite
+from math import inf, isfinite
 from weakref import WeakKeyDictionary
 
 from wraparc import catalogue
@@ -10,7 +10,7 @@ from wraparc.actions.by_check import kinds_of, test_phrase
 from wraparc.actions.document import Source, source_of
 from wraparc.actions.rows import RowEvaluator
 from wraparc.actions.search import DATA_CHECKS, Evaluate, Task, count_left, find_ways
-from wraparc.actions.single import SingleEvaluator, outcome_of
+from wraparc.actions.single import FilteredEvaluator, SingleEvaluator, outcome_of
 from wraparc.actions.texts import Names, Phrase, none_text, phrase_of, sentence_of
 from wraparc.actions.too_large import percent_too_large
 from wraparc.actions.variant import DIAMETER, LAGGING, RAISE, WRAP
@@ -18,17 +18,17 @@ from wraparc.checks.action import Action, Way
 from wraparc.checks.check import Check, Level, Verdict
 from wraparc.checks.judge import judge
 from wraparc.checks.least_tension import least_tension
+from wraparc.checks.of_drive import allowed_tension
 from wraparc.drive import Drive
 from wraparc.train import TrainResult
 from wraparc.train.whole import Whole, by_pulley
 
-#: Most tension that is tried over that of now and the pull [-].
+#: Largest tension that is tried over that of now [-]; and twice what the belt is allowed.
 _MOST_TENSION = 4.0
 #: Part of the tension that a belt keeps where least of it is tried [-].
 _LEAST_TENSION = 0.05
 #: Tensions that are tried first, by rows and one by one, and values then at once.
-_ROW_POINTS, _ROW_SPLITS = 24, 9
-_SINGLE_POINTS, _SINGLE_SPLITS = 5, 1
+_ROW_POINTS, _ROW_SPLITS, _SINGLE_POINTS = 24, 24, 4
 
 _actions: WeakKeyDictionary[Whole, list[Action | None]] = WeakKeyDictionary()
 
@@ -60,13 +60,14 @@ def _find(result: Whole) -> Action | None:
     if source is None:
         return own_action(worst)
     task = _task(result, verdict, source)
-    single = SingleEvaluator(source)
-    evaluate = _rows(result, source, task) or single
-    found = find_ways(task, evaluate, single.judged)
+    evaluate = _evaluation(result, source, task)
+    found = find_ways(task, evaluate, SingleEvaluator(source).confirmed)
     names = Names(_slack(result), source.pulleys if len(source.described.pulleys) > 1 else ())
     phrases = [phrase_of(way, task, names) for way in found.ways]
     ways = tuple(
-        Way(source.changes(way.variant), True, count_left(way.outcome.levels), sentence_of([phrase]))
+        Way(
+            source.changes(way.variant), True, count_left(way.outcome.levels), sentence_of([phrase])
+        )
         for way, phrase in zip(found.ways, phrases, strict=True)
     )
     tested = test_phrase(worst, _lagging(worst, result))
@@ -93,12 +94,13 @@ def own_text(check: Check) -> str:
     return check.remedy.format(value=value, limit=limit)
 
 
-def _rows(result: Whole, source: Source, task: Task) -> Evaluate | None:
-    """Return the evaluation by rows; None where rows do not know all that is checked."""
-    drive = source.described
-    if not isinstance(drive, Drive) or not is_served(result):
-        return None
-    return RowEvaluator(source, drive, task.now, task.tension)
+def _evaluation(result: Whole, source: Source, task: Task) -> Evaluate:
+    """Return how variants are judged: by rows where those know all that is checked."""
+    drive, single = source.described, SingleEvaluator(source)
+    if not isinstance(drive, Drive) or isinstance(result, TrainResult) or len(drive.pulleys) > 1:
+        return single
+    rows = RowEvaluator(source, drive, task.now, task.tension)
+    return rows if is_served(result) else FilteredEvaluator(rows, single, task.now)
 
 
 def is_served(result: Whole) -> bool:
@@ -113,7 +115,7 @@ def is_served(result: Whole) -> bool:
 def _task(result: Whole, verdict: Verdict, source: Source) -> Task:
     rows, drive = is_served(result), by_pulley(result).drive
     belt, sag = drive.belt, drive.criteria.sag
-    now, tension = outcome_of(result), source.take_up
+    now, tension = outcome_of(result, stated=True), source.take_up
     lowest, highest = tension_ends(drive, tension)
     worst = verdict.governing
     own = {pulley.lagging.name for pulley in drive.pulleys if pulley.name in source.pulleys}
@@ -140,16 +142,22 @@ def _task(result: Whole, verdict: Verdict, source: Source) -> Task:
         diameter=max(p.diameter for p in drive.pulleys if p.name in source.pulleys),
         spacing=sag.spacing if sag is not None else 0.0,
         points=_ROW_POINTS if rows else _SINGLE_POINTS if len(drive.pulleys) == 1 else 0,
-        splits=_ROW_SPLITS if rows else _SINGLE_SPLITS,
+        wrap_step=10 if rows else 30,
+        splits=_ROW_SPLITS if rows else 1,
+        within=1 if rows else 20,
     )
 
 
 def tension_ends(drive: Drive, tension: float) -> tuple[float, float]:
     """Return between what tensions at the take-up others are tried [N]."""
-    ends = [t for case in drive.load_cases for at in case.tensions.values() for t in
-            (at.entry, at.exit)]  # fmt: skip
-    lowest = tension - (1.0 - _LEAST_TENSION) * min(ends)
-    return lowest, tension + _MOST_TENSION * max(ends)
+    pairs = [at for case in drive.load_cases for at in case.tensions.values()]
+    least, most = (
+        min(min(p.entry, p.exit) for p in pairs),
+        max(max(p.entry, p.exit) for p in pairs),
+    )
+    rating = allowed_tension(drive.belt, "starting") or inf
+    highest = min(_MOST_TENSION * most, 2.0 * rating * drive.belt.width)
+    return tension - (1.0 - _LEAST_TENSION) * least, tension + highest - most
 
 
 def _take_up(result: Whole) -> float:

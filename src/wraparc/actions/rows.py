@@ -15,12 +15,14 @@ from wraparc.batch import Setting, solve_arcs
 from wraparc.batch.arcs import COLUMNS, Arcs
 from wraparc.batch.laws import LawBank
 from wraparc.checks.check import Level
-from wraparc.checks.of_rows import NAMES, held_by, row_checks
+from wraparc.checks.of_rows import NAMES, Held, held_by, row_checks
 from wraparc.checks.rules import RULES
-from wraparc.drive import Drive, LoadCase
+from wraparc.drive import Drive
 from wraparc.errors import InputError
 
 _TENSIONS = ("entry_tension", "exit_tension")
+#: What is told is confirmed by the solver of one arc.
+_SETTING = Setting.ENGINEERING
 
 
 class RowEvaluator:
@@ -75,72 +77,83 @@ class _Rows:
 
     def outcomes(self, now: Outcome) -> list[Outcome]:
         """Return the outcomes; `now` is that of the drive as it is."""
-        n = len(self.which)
+        n, names = len(self.which), [case.name for case in self.drives[0].load_cases]
+        try:
+            found = [self._wrap_arcs(name) for name in names]
+        except InputError:
+            return [IMPOSSIBLE] * n
+        laws = list(dict.fromkeys(arc.law for own in found for arc in own))
+        bank = LawBank.of(laws)
+        law = [np.array([laws.index(arc.law) for arc in own])[self.which] for own in found]
+        every = [
+            Arcs(laws=bank, law=laws_of_case, **self._columns(own))
+            for own, laws_of_case in zip(found, law, strict=True)
+        ]
+        held = Held.joined([self._held(n, arcs) for n, arcs in zip(names, every, strict=True)])
+        arcs = _below(every)
+        solved = solve_arcs(arcs, setting=_SETTING, capacities=False, threads=1)
+        ones = np.ones(len(arcs))
         levels: list[dict[str, int]] = [{} for _ in range(n)]
         used: list[dict[str, float]] = [{} for _ in range(n)]
-        passed: list[dict[str, bool]] = [{} for _ in range(n)]
-        creeps = np.zeros(n)
-        for case in self.drives[0].load_cases:
-            creeps = np.maximum(creeps, self._judge(case, levels, used, passed))
+        passed: list[list[str]] = [[] for _ in range(n)]
+        for name, ranks, margins in row_checks(solved, held, (ones, ones), _SETTING):
+            by_case = np.asarray(ranks).reshape(len(names), n)
+            shares = _shares(margins, RULES[name].at_most)
+            most = np.where(ranks > Level.OK.rank, shares, 0.0).reshape(len(names), n).max(axis=0)
+            worst = by_case.max(axis=0)
+            for i, rank in enumerate(worst.tolist()):
+                if rank > Level.OK.rank:
+                    levels[i][name], used[i][name] = rank, float(most[i])
+                elif rank == Level.OK.rank:
+                    passed[i].append(name)
+        creeps = np.where(solved.solved, np.abs(solved["exit_creep"]), 0.0)
+        creeps = creeps.reshape(len(names), n).max(axis=0)
+        refused = (solved["status"] == REFUSED).reshape(len(names), n).any(axis=0)
         others = {name: rank for name, rank in now.levels.items() if name not in NAMES}
-        kept = [name for name in now.passed if name not in NAMES]
+        passes = [name for name in now.passed if name not in NAMES]
         return [
             Outcome(
-                possible=bool(self.possible[i]),
+                possible=bool(self.possible[i] and not refused[i]),
                 levels=levels[i] | others,
-                passed=(*(name for name, passes in passed[i].items() if passes), *kept),
+                passed=(*passed[i], *passes),
                 used=used[i],
                 creep=float(creeps[i]),
             )
             for i in range(n)
         ]
 
-    def _judge(
-        self,
-        case: LoadCase,
-        levels: list[dict[str, int]],
-        used: list[dict[str, float]],
-        passed: list[dict[str, bool]],
-    ) -> Array:
-        """Judge a load case into the lists of all of them; return the creeps [m]."""
-        drives = [drive.in_case(drive.load_case(case.name)) for drive in self.drives]
-        try:
-            arcs = self._arcs(drives, case.name)
-        except InputError:
-            self.possible[:] = False
-            return np.zeros(len(self.which))
-        (pulley,) = drives[0].pulleys
-        ends = arcs.entry_tension[None], arcs.exit_tension[None]
-        held = held_by(drives, self.which, pulley.name, case.name, arcs, ends)
-        solved = solve_arcs(arcs, setting=Setting.PRECISE, capacities=False, threads=1)
-        ones = np.ones(len(arcs))
-        self.possible &= solved["status"] != REFUSED
-        for name, ranks, margins in row_checks(solved, held, (ones, ones), Setting.PRECISE):
-            for i in np.flatnonzero(ranks >= Level.OK.rank).tolist():
-                misses = int(ranks[i]) > Level.OK.rank
-                passed[i][name] = passed[i].get(name, True) and not misses
-                if misses:
-                    levels[i][name] = max(levels[i].get(name, 0), int(ranks[i]))
-                    share = _share(float(margins[i]), RULES[name].at_most)
-                    used[i][name] = max(used[i].get(name, 0.0), share)
-        return np.where(solved.solved, np.abs(np.nan_to_num(solved["exit_creep"])), 0.0)
+    def _in_case(self, name: str) -> list[Drive]:
+        return [drive.in_case(drive.load_case(name)) for drive in self.drives]
 
-    def _arcs(self, drives: list[Drive], case: str) -> Arcs:
-        """Return the arcs of a load case; what cannot be is marked, and stands for one that can."""
-        own = [WrapArc.of(d, d.pulleys[0], d.load_case(case)) for d in drives]
+    def _wrap_arcs(self, name: str) -> list[WrapArc]:
+        """Return the arc of each drive in a load case."""
+        return [WrapArc.of(d, d.pulleys[0], d.load_case(name)) for d in self._in_case(name)]
+
+    def _held(self, name: str, arcs: Arcs) -> Held:
+        """Return what the arcs of a load case are held against."""
+        drives, ends = self._in_case(name), (arcs.entry_tension[None], arcs.exit_tension[None])
+        return held_by(drives, self.which, drives[0].pulleys[0].name, name, arcs, ends)
+
+    def _columns(self, own: list[WrapArc]) -> dict[str, Array]:
+        """Return the columns of the variants; what cannot be is marked, and stands as it is."""
         table = np.array([[_number(arc, name) for name in COLUMNS] for arc in own])[self.which]
         columns = {name: table[:, k].copy() for k, name in enumerate(COLUMNS)}
-        entry, leaving = (columns[name] for name in _TENSIONS)
-        slack = np.minimum(entry, leaving)
-        entry, leaving = (slack + self.pull * (t - slack) + self.lift for t in (entry, leaving))
-        valid: Flags = np.minimum(entry, leaving) > columns["centrifugal_force"] + 1.0
+        before = [columns[name] for name in _TENSIONS]
+        slack = np.minimum(*before)
+        after = [slack + self.pull * (t - slack) + self.lift for t in before]
+        valid: Flags = np.minimum(*after) > columns["centrifugal_force"] + 1.0
         self.possible &= valid
-        columns["entry_tension"] = np.where(valid, entry, columns["entry_tension"])
-        columns["exit_tension"] = np.where(valid, leaving, columns["exit_tension"])
+        for name, tension, other in zip(_TENSIONS, after, before, strict=True):
+            columns[name] = np.where(valid, tension, other)
         columns["wrap_angle"] = np.where(self.wrap > 0.0, self.wrap, columns["wrap_angle"])
-        laws = list(dict.fromkeys(arc.law for arc in own))
-        law = np.array([laws.index(arc.law) for arc in own])[self.which]
-        return Arcs(laws=LawBank.of(laws), law=law, **columns)
+        return columns
+
+
+def _below(every: list[Arcs]) -> Arcs:
+    """Return arcs of the same laws that stand below each other."""
+    columns = {n: np.concatenate([getattr(arcs, n) for arcs in every]) for n in COLUMNS}
+    law = np.concatenate([arcs.law for arcs in every])
+    return Arcs(laws=every[0].laws, law=law, **columns)
 
 
 #: Columns of arcs that `WrapArc` calls otherwise.
@@ -159,8 +172,9 @@ def _number(arc: WrapArc, name: str) -> float:
     return float(value)
 
 
-def _share(margin: float, at_most: bool) -> float:
-    """Return a value over its maximum, or a minimum over its value, by its margin [-]."""
+def _shares(margins: Array, at_most: bool) -> Array:
+    """Return values over their maxima, or minima over values, by their margins [-]."""
     if at_most:
-        return 1.0 - margin
-    return 1.0 / (1.0 + margin) if margin > -1.0 else inf
+        return 1.0 - margins
+    with np.errstate(divide="ignore"):
+        return np.where(margins > -1.0, 1.0 / np.maximum(1.0 + margins, 0.0), inf)

@@ -35,10 +35,12 @@ DATA_CHECKS = (
     "condition", "fit", "usual_sizes", "belt_thickness", "tested_slip_speed", "case_kind",
     "profile_extent", "reserve", "data", "sense",
 )  # fmt: skip
-#: Largest wrap that is offered, and the steps in which wraps are tried first [deg].
-MOST_WRAP, WRAP_STEP = 240, 10
+#: Largest wrap that is offered [deg].
+MOST_WRAP = 240
 #: Most changes that are made together.
 MOST_CHANGES = 3
+#: Parts of the step to the first tension that is not allowed, in which the last is looked for.
+EDGE_POINTS = 12
 #: Checks whose miss tells what belt, pulley or idlers would do.
 _BY_SHARE: dict[str, tuple[str, ...]] = {
     RATING: ("belt_tension", "momentary_tension"),
@@ -77,8 +79,12 @@ class Task(NamedTuple):
         As they are; 0 where they are not known [N/m, N/m, m, m].
     points
         Tensions that are tried between the ends; 0 for those alone that the checks state.
+    wrap_step
+        Between the wraps that are tried first [deg].
     splits
         Values that are tried at once between one that leaves more and one that leaves as little.
+    within
+        Rounded tensions within which the nearest one is found.
     """
 
     now: Outcome
@@ -94,15 +100,18 @@ class Task(NamedTuple):
     diameter: float
     spacing: float
     points: int
+    wrap_step: int
     splits: int
+    within: int
 
 
 class Candidate(NamedTuple):
-    """A variant with its outcome."""
+    """A variant that changes some kinds, with its outcome."""
 
     variant: Variant
     outcome: Outcome
     score: Score
+    kinds: tuple[str, ...] = ()
 
 
 class Found(NamedTuple):
@@ -166,14 +175,14 @@ def find_ways(
     before, tried = score_of(task.now), list[Candidate]()
     for size in range(1, MOST_CHANGES + 1):
         ways: list[Candidate] = []
-        for kinds in _combinations(task, size):
+        together = _combinations(task, size)
+        search.prepare(together)
+        for kinds in together:
             found = search.best(kinds)
             if found is None:
                 continue
             tried.append(found)
-            if found.score.left > 0:
-                continue
-            sure = search.confirmed(found)
+            sure = search.confirmed(found, kinds) if found.score.left == 0 else None
             if sure is not None and sure.score.left == 0:
                 ways.append(sure)
             if len(ways) == (most if size == 1 else 1):
@@ -181,10 +190,9 @@ def find_ways(
         if ways:
             return Found(tuple(ways), tuple(tried))
     for found in sorted(tried, key=lambda one: one.score):
-        if found.score < before:
-            sure = search.confirmed(found)
-            if sure is not None and sure.score < before:
-                return Found((sure,), tuple(tried))
+        sure = search.confirmed(found, found.kinds) if found.score < before else None
+        if sure is not None and sure.score < before:
+            return Found((sure,), tuple(tried))
     return Found((), tuple(tried))
 
 
@@ -211,39 +219,58 @@ class _Search:
             self._known |= dict(zip(new, self._evaluate(new), strict=True))
         return [self._known[variant] for variant in variants]
 
+    def prepare(self, every: Sequence[tuple[str, ...]]) -> None:
+        """Judge what is tried first of several kinds of changes, all at once."""
+        if not self.task.points:
+            return  # one by one: only what is needed
+        first = {kinds: self._first(kinds) for kinds in every}
+        self.outcomes([variant for variants in first.values() for variant in variants])
+        more = [v for kinds, variants in first.items() for v in self._completed(variants, kinds)]
+        self.outcomes(more)
+
+    def _first(self, kinds: tuple[str, ...]) -> list[Variant]:
+        """Return what is tried first of some kinds of changes, but for the stated tensions."""
+        bases, ways = self._bases(kinds), [kind for kind in kinds if kind in (RAISE, LOWER)]
+        if not ways:
+            return bases
+        return [*bases, *(v for base in bases for v in self._between(base, ways[0] == RAISE))]
+
     def best(self, kinds: tuple[str, ...]) -> Candidate | None:
         """Return the best variant that changes all of some kinds; None if none is allowed."""
-        bases = self._bases(kinds)
-        ways = [kind for kind in kinds if kind in (RAISE, LOWER)]
+        bases, ways = self._bases(kinds), [kind for kind in kinds if kind in (RAISE, LOWER)]
         if not ways:
-            found = self._least(self._completed(bases, kinds))
-            narrow = WRAP in kinds and found is not None
-            return self._nearest_wrap(found, kinds) if narrow and found else found
+            return self._least(bases, kinds)
         up = ways[0] == RAISE
         stated = [v for base in bases for v in self._stated(base, up)]
-        known = self._least(self._completed(stated, kinds))
+        known = self._least(stated, kinds)
         if known is not None and known.score.left == 0:
             return known
-        between = [v for base in bases for v in self._between(base, up)]
-        found = self._least(self._completed([*stated, *between], kinds))
+        between = [self._between(base, up) for base in bases]
+        found = self._least([v for variants in between for v in variants], kinds)
+        if found is None or found.score.left > 0:
+            edges = [v for variants in between for v in self._at_edge(variants, kinds, up)]
+            last = self._least(edges, kinds)
+            found = last if found is None or (last and last.score < found.score) else found
         if found is None or (known is not None and known.score <= found.score):
             return known  # the number that the table of minimum tensions has
-        return self._nearest_tension(found, kinds, up)
+        return found
 
-    def confirmed(self, found: Candidate) -> Candidate | None:
-        """Return a variant as it is confirmed, a rounded step further if that takes it."""
+    def confirmed(self, found: Candidate, kinds: tuple[str, ...]) -> Candidate | None:
+        """Return a variant at the least change that leaves as little, as it is confirmed."""
+        found = self._nearest(found, kinds)
         for variant in _steps(found.variant, self.task):
             outcome = self._confirm(variant)
             score = score_of(outcome)
             if is_allowed(outcome, self.task.now) and score <= found.score:
-                return Candidate(variant, outcome, score)
+                return Candidate(variant, outcome, score, kinds)
         return None
 
     def _bases(self, kinds: tuple[str, ...]) -> list[Variant]:
         """Return variants of lagging and wrap."""
         laggings = self.task.laggings if LAGGING in kinds else ("",)
-        first = WRAP_STEP * (int(self.task.wrap * (1.0 + 1e-9)) // WRAP_STEP + 1)
-        wraps = range(first, MOST_WRAP + 1, WRAP_STEP) if self.task.wrap > 0.0 else ()
+        step = self.task.wrap_step
+        first = step * (int(self.task.wrap * (1.0 + 1e-9)) // step + 1)
+        wraps = range(first, MOST_WRAP + 1, step) if self.task.wrap > 0.0 else ()
         angles = [float(wrap) for wrap in wraps] if WRAP in kinds else [0.0]
         return [Variant(lagging=name, wrap=wrap) for name in laggings for wrap in angles]
 
@@ -264,6 +291,22 @@ class _Search:
         places = [rung_above(t) if up else rung_below(t) for t in steps]
         return [base._replace(tension=at_rung(place)) for place in dict.fromkeys(places)]
 
+    def _at_edge(
+        self, variants: Sequence[Variant], kinds: tuple[str, ...], up: bool
+    ) -> list[Variant]:
+        """Return more tensions between the last that is allowed and the first that is not."""
+        task, before = self.task, self.task.tension
+        if task.splits < 2:
+            return []
+        for variant in variants:
+            if self._least([variant], kinds) is None:
+                ratio, rung = variant.tension / before, rung_above if up else rung_below
+                steps = (before * ratio ** (k / EDGE_POINTS) for k in range(1, EDGE_POINTS))
+                places = dict.fromkeys(map(rung, steps))
+                return [variant._replace(tension=at_rung(place)) for place in places]
+            before = variant.tension
+        return []
+
     def _completed(self, variants: Sequence[Variant], kinds: tuple[str, ...]) -> list[Variant]:
         """Return variants with the belt, pulley and idlers that their misses ask for."""
         shares = [kind for kind in kinds if kind in _BY_SHARE]
@@ -274,18 +317,21 @@ class _Search:
             complete: Variant | None = variant
             for kind in shares:
                 over = max((outcome.used.get(name, 0.0) for name in _BY_SHARE[kind]), default=0.0)
-                complete = None if complete is None else _with_share(complete, self.task, kind, over)
+                complete = (
+                    None if complete is None else _with_share(complete, self.task, kind, over)
+                )
             if complete is not None:
                 found.append(complete)
         return found
 
-    def _least(self, variants: Sequence[Variant]) -> Candidate | None:
+    def _least(self, variants: Sequence[Variant], kinds: tuple[str, ...]) -> Candidate | None:
         """Return the variant that leaves least, of several the one that changes least."""
         found: Candidate | None = None
-        for variant, outcome in zip(variants, self.outcomes(variants), strict=True):
+        complete = self._completed(variants, kinds)
+        for variant, outcome in zip(complete, self.outcomes(complete), strict=True):
             if not is_allowed(outcome, self.task.now):
                 continue
-            one = Candidate(variant, outcome, score_of(outcome))
+            one = Candidate(variant, outcome, score_of(outcome), kinds)
             if found is None or self._order(one) < self._order(found):
                 found = one
         return found
@@ -293,30 +339,38 @@ class _Search:
     def _order(self, of: Candidate) -> tuple[int, int, float]:
         return (*of.score, size_of(of.variant, self.task))
 
-    def _nearest_tension(self, of: Candidate, kinds: tuple[str, ...], up: bool) -> Candidate:
-        """Return the same at the tension nearest to that of now that leaves as little."""
-        rung = rung_above if up else rung_below
-        near, far = rung(self.task.tension), rung(of.variant.tension)
-        return self._nearest(of, kinds, near, far, False)
+    def _nearest(self, of: Candidate, kinds: tuple[str, ...]) -> Candidate:
+        """Return the same at the tension, or else the wrap, nearest to now that leaves as little.
 
-    def _nearest_wrap(self, of: Candidate, kinds: tuple[str, ...]) -> Candidate:
-        """Return the same at the smallest wrap that leaves as little."""
-        near = max(int(self.task.wrap), int(of.variant.wrap) - WRAP_STEP)
-        return self._nearest(of, kinds, near, int(of.variant.wrap), True)
+        The tension that the checks state stays: a table has it.
+        """
+        task, variant = self.task, of.variant
+        if variant.tension:
+            base = variant._replace(tension=0.0)
+            up = variant.tension > task.tension
+            if variant in self._completed(self._stated(_at(base, base.wrap, True), up), kinds):
+                return of
+            rung = rung_above if up else rung_below
+            return self._narrowed(of, kinds, rung(task.tension), rung(variant.tension), False)
+        if variant.wrap:
+            near = max(int(task.wrap), int(variant.wrap) - task.wrap_step)
+            return self._narrowed(of, kinds, near, int(variant.wrap), True)
+        return of
 
-    def _nearest(
+    def _narrowed(
         self, of: Candidate, kinds: tuple[str, ...], near: int, far: int, wrap: bool
     ) -> Candidate:
         """Narrow the place between one that leaves more and one that leaves as little."""
-        while abs(far - near) > 1:
+        while abs(far - near) > (1 if wrap else self.task.within):
             step = max(1, abs(far - near) // (self.task.splits + 1))
             step = step if far > near else -step
             places = [*range(near + step, far, step)]
             bases = [_at(of.variant, float(p) if wrap else at_rung(p), wrap) for p in places]
-            self.outcomes(bases)
+            if self.task.splits > 1:
+                self.outcomes(bases)
             passing = far
             for place, base in zip(places, bases, strict=True):
-                one = self._least(self._completed([base], kinds))
+                one = self._least([base], kinds)
                 if one is not None and one.score <= of.score:
                     of, passing = one, place
                     break

@@ -6,7 +6,9 @@ from dataclasses import replace
 from math import isfinite
 
 from wraparc.actions.document import Source
+from wraparc.actions.search import Evaluate, is_allowed
 from wraparc.actions.variant import IMPOSSIBLE, Outcome, Variant
+from wraparc.arc import Distributed
 from wraparc.checks.check import Level, Verdict
 from wraparc.checks.judge import judge
 from wraparc.checks.least_tension import least_tension
@@ -27,20 +29,48 @@ class SingleEvaluator:
         return [self.judged(variant) for variant in variants]
 
     def judged(self, variant: Variant) -> Outcome:
-        """Return the outcome of one variant."""
+        """Return the outcome of one variant, with its minimum tension."""
+        return self._judged(variant, stated=True)
+
+    def confirmed(self, variant: Variant) -> Outcome:
+        """Return the same without its minimum tension."""
+        return self._judged(variant, stated=False)
+
+    def _judged(self, variant: Variant, stated: bool) -> Outcome:
         try:
             described = self._source.read(self._source.changes(variant))
             if variant.pull:
                 described = with_pull(described, variant.pull)
-            return outcome_of(solved(described))
+            if stated or len(described.pulleys) > 1:
+                return outcome_of(solved(described), stated)
+            return outcome_of(solved(described, Distributed(capacities=False)), stated)
         except InputError:
             return IMPOSSIBLE
 
 
-def outcome_of(result: Whole) -> Outcome:
-    """Return what the judgement of a solved drive or train comes to."""
-    verdict, least = judge(result), least_tension(result)
-    stated = 0.0 if least is None or not isfinite(least.tension) else least.tension
+class FilteredEvaluator:
+    """Judges variants one by one, but those alone that rows of the even pulley do not rule out."""
+
+    def __init__(self, rows: Evaluate, single: SingleEvaluator, now: Outcome) -> None:
+        self._rows, self._single, self._now = rows, single, now
+
+    def __call__(self, variants: list[Variant]) -> list[Outcome]:
+        """Return the outcome of each variant."""
+        return [
+            self._single.confirmed(variant) if is_allowed(outcome, self._now) else outcome
+            for variant, outcome in zip(variants, self._rows(variants), strict=True)
+        ]
+
+
+def outcome_of(result: Whole, stated: bool) -> Outcome:
+    """Return what the judgement of a solved drive or train comes to.
+
+    `stated` is whether with the minimum tension at the take-up.
+    """
+    verdict, tension = judge(result), 0.0
+    if stated:
+        least = least_tension(result)
+        tension = 0.0 if least is None or not isfinite(least.tension) else least.tension
     used = {c.name: share_of(c.value, c.limit, c.at_most) for c in verdict.missed}
     creeps = [abs(arc.exit_creep) for arc in by_pulley(result) if arc.status.solved]
     return Outcome(
@@ -49,7 +79,7 @@ def outcome_of(result: Whole) -> Outcome:
         passed=passed_of(verdict),
         used=used,
         creep=max(creeps, default=0.0),
-        tension=stated,
+        tension=tension,
     )
 
 

@@ -14,9 +14,7 @@ MOST = 900
 _POINTS = 6
 
 
-def percent_too_large(
-    task: Task, evaluate: Evaluate, name: str, tried: Sequence[Candidate]
-) -> int:
+def percent_too_large(task: Task, evaluate: Evaluate, name: str, tried: Sequence[Candidate]) -> int:
     """Return by how many percent the effective tension is too large for a check, rounded up.
 
     With the best of all slack-side tensions, wraps and laggings that are tried; 0 where no other

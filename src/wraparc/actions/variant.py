@@ -68,7 +68,7 @@ class Outcome(NamedTuple):
     possible: bool
     levels: Mapping[str, int]
     passed: Sequence[str] = ()
-    used: Mapping[str, float] = {}  # noqa: RUF012 - never written
+    used: Mapping[str, float] = {}
     creep: float = 0.0
     tension: float = 0.0
 

@@ -119,6 +119,23 @@ class Held:
                 taken[of.name] = some
         return Held(**taken)
 
+    @classmethod
+    def joined(cls, every: Sequence[Held]) -> Held:
+        """Return what rows are held against that stand below each other."""
+        first, made = every[0], dict[str, Any]()
+        for of in fields(cls):
+            values = [getattr(held, of.name) for held in every]
+            value = values[0]
+            if isinstance(value, Mapping):
+                made[of.name] = {n: np.concatenate([v[n] for v in values]) for n in value}
+            elif isinstance(value, Sizes):
+                made[of.name] = Sizes(*map(np.concatenate, zip(*values, strict=True)))
+            elif isinstance(value, State):
+                made[of.name] = _joined_states(values)
+            else:
+                made[of.name] = np.concatenate(values)
+        return first if len(every) == 1 else cls(**made)
+
     def columns(self) -> Iterator[Array]:
         """Yield every column but those of the motors."""
         motors = {rule.name for rule in OF_MOTORS}
@@ -278,6 +295,12 @@ def _row(state: State[Array], which: Any) -> State[Any]:
     """Return some rows of a state that is not solved, or one as plain numbers."""
     numbers = (f.name for f in fields(state) if f.name != "found")
     return State(**{name: getattr(state, name)[which] for name in numbers}, found={})
+
+
+def _joined_states(states: Sequence[State[Array]]) -> State[Array]:
+    numbers = [f.name for f in fields(states[0]) if f.name != "found"]
+    columns = {name: np.concatenate([getattr(s, name) for s in states]) for name in numbers}
+    return State(**columns, found={})
 
 
 def _open_trims(
