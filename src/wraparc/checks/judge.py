@@ -50,8 +50,8 @@ def every_check(result: DriveResult | TrainResult) -> tuple[Check, ...]:
 def sound(checks: tuple[Check, ...], least: LeastTension | None) -> tuple[Check, ...]:
     """Return checks that advise nothing which does not help, or works against another check.
 
-    A tension is raised or lowered only where one keeps every binding check, and a pulley is evened
-    out only where an even one would do.
+    A tension is raised or lowered only where one keeps every binding check and this one, and a
+    pulley is evened out only where an even one would do.
     """
     missed = [(c.name, c.place) for c in checks if c.missed]
     names = {name for name, _ in missed}
@@ -74,9 +74,8 @@ def _helps(check: Check, least: LeastTension | None, both: bool) -> bool:
     own = next((f for f in least.figures if f.name == check.name), None)
     if own is None and both:  # across the width: one asks for more, another for less
         return False
-    top = least.highest
-    too_much = own is not None and top is not None and own.at_least and own.tension > top.tension
-    return math.isfinite(least.tension) and not too_much
+    helps = own is None or not own.at_least or own in least.required
+    return math.isfinite(least.tension) and helps
 
 
 def before(described: Drive | Train) -> Verdict:

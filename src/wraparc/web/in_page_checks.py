@@ -210,6 +210,21 @@ def least_with_slip(result: FoundArc, _limit: float) -> float:
     return result.found.least_for_slip
 
 
+def least_when_covered(result: FoundArc) -> float:
+    """Return the least slack-side tension for the creep with the cover in series [N]."""
+    return result.found.least_when_covered
+
+
+def least_when_wet(result: FoundArc, factor: float) -> float:
+    """Return the least slack-side tension for the creep when wet [N]; nan without a factor."""
+    return result.found.least_when_wet if factor > 0.0 else nan
+
+
+def least_by_interval(_result: FoundArc) -> float:
+    """Return nan: the page does not find the interval."""
+    return nan
+
+
 def wet(result: FoundArc, _factor: float) -> float:
     """Return the creep at the exit when wet [m]."""
     return result.found.wet
