@@ -134,7 +134,7 @@ def test_the_tension_that_the_checks_state_is_offered_as_they_state_it() -> None
     """A table has 64.2: no other number stands beside it, though 62.5 passes."""
     world = World(16.0, 1e9)
     task = world.task(RAISE)
-    task = task._replace(now=task.now._replace(tension=64.15))
+    task = task._replace(now=task.now._replace(least=64.15))
     found = find_ways(task, world.evaluate, world.judged)
     assert [way.variant.tension for way in found.ways] == [64.2]
 

@@ -276,10 +276,11 @@ class _Search:
 
     def _stated(self, base: Variant, up: bool) -> list[Variant]:
         """Return a variant at the tension that its checks state, if that is to be gone to."""
-        stated = self.outcomes([base])[0].tension
+        outcome = self.outcomes([base])[0]
+        stated = outcome.least if up else outcome.most
         if not 0.0 < stated < inf or (stated > self.task.tension) != up:
             return []
-        return [base._replace(tension=rounded_up(stated))]
+        return [base._replace(tension=rounded_up(stated) if up else rounded_down(stated))]
 
     def _between(self, base: Variant, up: bool) -> list[Variant]:
         """Return a variant at tensions between that of now and the last one that is tried."""

@@ -67,10 +67,7 @@ def outcome_of(result: Whole, stated: bool) -> Outcome:
 
     `stated` is whether with the minimum tension at the take-up.
     """
-    verdict, tension = judge(result), 0.0
-    if stated:
-        least = least_tension(result)
-        tension = 0.0 if least is None or not isfinite(least.tension) else least.tension
+    verdict, (least, most) = judge(result), _stated(result) if stated else (0.0, 0.0)
     used = {c.name: share_of(c.value, c.limit, c.at_most) for c in verdict.missed}
     creeps = [abs(arc.exit_creep) for arc in by_pulley(result) if arc.status.solved]
     return Outcome(
@@ -79,8 +76,19 @@ def outcome_of(result: Whole, stated: bool) -> Outcome:
         passed=passed_of(verdict),
         used=used,
         creep=max(creeps, default=0.0),
-        tension=tension,
+        least=least,
+        most=most,
     )
+
+
+def _stated(result: Whole) -> tuple[float, float]:
+    """Return minimum and maximum tension at the take-up by the checks, 0 without one [N]."""
+    found = least_tension(result)
+    if found is None:
+        return 0.0, 0.0
+    least, top = found.tension, found.highest
+    most = 0.0 if top is None else top.tension
+    return (least if isfinite(least) else 0.0), (most if isfinite(most) and most > 0.0 else 0.0)
 
 
 def passed_of(verdict: Verdict) -> tuple[str, ...]:

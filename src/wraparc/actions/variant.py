@@ -61,8 +61,8 @@ class Outcome(NamedTuple):
         By name of a missed check, value over a maximum or minimum over value, at its worst [-].
     creep
         Maximum creep at an exit [m].
-    tension
-        Minimum tension at the take-up by its checks, 0 where none is known [N].
+    least, most
+        Minimum and maximum tension at the take-up by its checks, 0 where none is known [N].
     """
 
     possible: bool
@@ -70,7 +70,8 @@ class Outcome(NamedTuple):
     passed: Sequence[str] = ()
     used: Mapping[str, float] = {}
     creep: float = 0.0
-    tension: float = 0.0
+    least: float = 0.0
+    most: float = 0.0
 
 
 #: Of a variant that is no drive.
