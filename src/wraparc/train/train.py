@@ -20,6 +20,7 @@ from wraparc.drive import (
     Limit,
     LoadCase,
     Pulley,
+    ReadFrom,
     Tensions,
     condition_problems,
     laggings_of,
@@ -173,6 +174,8 @@ class Train:
         Largest creep accepted at the exit of a pulley [m].
     criteria
         What the train is held against, as in `Drive`.
+    read_from
+        As in `Drive`.
 
     Raises
     ------
@@ -190,6 +193,7 @@ class Train:
     nominal_diameters: tuple[float, ...] = ()
     creep_limit: float = CREEP_LIMIT
     criteria: Criteria = field(default_factory=Criteria)
+    read_from: ReadFrom | None = field(default=None, compare=False, repr=False)
 
     def __post_init__(self) -> None:
         problems = limit_problems(self, self.LIMITS)
@@ -233,6 +237,7 @@ class Train:
             cases=tuple(_case_of(drive, case) for case in drive.load_cases),
             creep_limit=drive.creep_limit,
             criteria=drive.criteria,
+            read_from=drive.read_from,
         )
 
     @property
