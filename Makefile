@@ -137,7 +137,7 @@ page: dev ## serve the calculator and make it anew whenever its source changes; 
 
 bench: dev ## measure speed (ratios within one run)
 	@echo "== benchmarks"
-	@$(BIN)/python -m pytest -q -o addopts="" -W error benchmarks
+	@$(BIN)/python -m pytest -q -o addopts="" -o timeout=0 -W error benchmarks
 
 lock: $(UV) ## resolve the dependencies anew and write uv.lock, lowest.txt and package-lock.json
 	@$(UV) lock

@@ -15,6 +15,8 @@ import pytest
 from hypothesis import settings
 from hypothesis.internal.conjecture import providers
 
+import hanging
+
 # No wall clock in a test; in CI the same examples every time, at a desk new ones.
 settings.register_profile("wraparc", deadline=None, derandomize="CI" in os.environ)
 settings.load_profile("wraparc")
@@ -35,6 +37,10 @@ LEFT = "left to make test"
 os.environ["COLUMNS"] = "110"
 # The catalogue that ships, whatever laggings and belts of their own who runs this may have.
 os.environ.pop("WRAPARC_CATALOGUE", None)
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    config.pluginmanager.register(hanging, "hanging")
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:

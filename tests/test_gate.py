@@ -1,5 +1,6 @@
 """What the gate says of its parts, and which tests `make check` runs."""
 
+import time
 from pathlib import Path
 
 import pytest
@@ -54,6 +55,28 @@ def test_tests_that_end_without_a_count_have_failed(tmp_path: Path, log: Path) -
     log.write_text("Fatal Python error: Segmentation fault\n")
     told = list(gate.told([gate.Ran("tests", 1.0, 139, log)]))
     assert told[-2:] == ["  make tests", "\n0 passed, 1 failed"]
+
+
+@pytest.mark.processes
+def test_a_part_that_hangs_is_ended_with_all_it_started_and_the_others_go_on(
+    log: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
+) -> None:
+    # types never ends, nor does what it started, which takes no interrupt
+    (tmp_path / "Makefile").write_text(
+        "docs: ; @echo built\ntypes: ; @trap '' INT; sleep 1000000 & sleep 1000000\n"
+    )
+    monkeypatch.setattr(gate, "LOGS", tmp_path)
+    monkeypatch.setattr(gate, "LIMITS", {"types": 1.0, "docs": 600.0})
+    monkeypatch.setattr(gate, "GRACE", 1.0)
+    types, docs = gate.side_by_side(("types", "docs"))
+    assert (types.code, docs.code) == (gate.HANGS, 0)
+    assert "HANGS, ended  types.log" in types.line()
+    assert "HANGS" in capfd.readouterr().out
+    assert (tmp_path / "docs.log").read_text() == "built\n"
+    assert "  make types" in list(gate.told([types, docs]))
+    # closed once all that held it open have ended
+    while not all(process.stdout and process.stdout.closed for process in gate.RUNNING):
+        time.sleep(0.01)
 
 
 def test_a_changed_room_brings_the_tests_of_the_rooms_that_import_it() -> None:

@@ -3,29 +3,45 @@
 ``python tools/gate.py`` runs all of it, ``python tools/gate.py --changed`` what a developer runs
 before a commit (`changed.py` says which tests). A stage begins when the one before it has passed;
 the parts of a stage run side by side. What a part prints goes to ``build/gate/PART.log``; the tests
-are shown while they run. At the end stand what ran, how long, how it ended, where its log is, and
-for what failed the command that repeats it alone.
+are shown while they run. A part that takes longer than its limit is ended, and the others go on.
+At the end stand what ran, how long, how it ended, where its log is, and for what failed the command
+that repeats it alone.
 """
 
+import contextlib
 import os
 import re
 import shlex
+import signal
 import subprocess
 import sys
+import threading
 import time
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
+from typing import BinaryIO
 
 ROOT = Path(__file__).resolve().parent.parent
 LOGS = ROOT / "build" / "gate"
 STAGES = (("dev", "system"), ("format", "lint"), ("types", "docs", "installed", "tests"))
 CHECKED = (("dev", "system"), ("format", "lint"), ("types", "near"))
+#: After so long [s], several times what a part takes, it is taken to hang.
+LIMITS = {
+    "dev": 1800, "system": 1800, "format": 300, "lint": 300, "types": 1200, "docs": 1200,
+    "installed": 1800, "tests": 5400, "near": 900,
+}  # fmt: skip
+#: The exit code of a part that hangs, as `timeout` of GNU has it.
+HANGS = 124
+#: What is interrupted has so long [s] to end by itself: pytest says what failed, and stops servers.
+GRACE = 20.0
 #: The parts that are pytest, shown while they run.
 TESTS = ("tests", "near")
 #: Commands of failed tests that are printed; the log has all.
 MOST = 10
+#: The processes of the parts.
+RUNNING: list["subprocess.Popen[bytes]"] = []
 _FAILED = re.compile(r"^(?:FAILED|ERROR) (\S+\.py(?:::.*?)?)(?: - .*)?$", re.MULTILINE)
 _CLOSING = re.compile(r"^=+ (.*) in [\d.]+s.*$", re.MULTILINE)
 _COUNTED = re.compile(r"(\d+) (passed|failed|errors?|skipped)")
@@ -50,7 +66,7 @@ class Ran:
 
     def line(self) -> str:
         """Return the line of the part."""
-        how = "passed" if self.code == 0 else "FAILED"
+        how = {0: "passed", HANGS: "HANGS, ended"}.get(self.code, "FAILED")
         counts = self.counts() if self.part in TESTS else {}
         number = ", ".join(f"{n} {word}" for word, n in counts.items() if n)
         log = self.log.relative_to(ROOT).as_posix()
@@ -70,24 +86,66 @@ def run(part: str) -> Ran:
     """Run one part by make, its output into its log, that of tests to the terminal too."""
     log, begin = LOGS / f"{part}.log", time.monotonic()
     command = [os.environ.get("MAKE", "make"), "--no-print-directory", part]
-    shown = subprocess.PIPE if part in TESTS else None
     with log.open("wb") as file:
+        # a group of its own, which can be ended with all that it started
         process = subprocess.Popen(
             command,
             cwd=ROOT,
             stdin=subprocess.DEVNULL,
-            stdout=shown or file,
+            stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
+            start_new_session=True,
         )
-        while process.stdout and (chunk := os.read(process.stdout.fileno(), 1 << 16)):
-            file.write(chunk)
-            sys.stdout.buffer.write(chunk)
-            sys.stdout.buffer.flush()
-        code = process.wait()
+        RUNNING.append(process)
+        # what outlives the part may hold the pipe open: nobody waits for its end
+        copying = threading.Thread(
+            target=copy, args=(process.stdout, file, part in TESTS), daemon=True
+        )
+        copying.start()
+        code = wait_or_end(process, LIMITS[part])
+        copying.join(GRACE)
     ran = Ran(part, time.monotonic() - begin, code, log)
     if part not in TESTS:
         print(ran.line().strip(), flush=True)
     return ran
+
+
+def copy(output: BinaryIO, log: BinaryIO, shown: bool) -> None:
+    """Copy what a part prints into its log, and to the terminal if it is shown."""
+    with output, contextlib.suppress(ValueError):  # the log is closed
+        while chunk := os.read(output.fileno(), 1 << 16):
+            log.write(chunk)
+            log.flush()
+            if shown:
+                sys.stdout.buffer.write(chunk)
+                sys.stdout.buffer.flush()
+
+
+def wait_or_end(process: "subprocess.Popen[bytes]", limit: float) -> int:
+    """Return the exit code of a part; after its limit [s] end it, by Ctrl-C and then by force."""
+    try:
+        return process.wait(limit)
+    except subprocess.TimeoutExpired:
+        send(process, signal.SIGINT)
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            process.wait(GRACE)
+        send(process, signal.SIGKILL)
+        process.wait()
+        return HANGS
+
+
+def send(process: "subprocess.Popen[bytes]", number: signal.Signals) -> None:
+    """Send a signal to a part and all that it started."""
+    with contextlib.suppress(ProcessLookupError):
+        os.killpg(process.pid, number)
+
+
+def interrupt(number: int, _frame: object) -> None:
+    """End the parts that run with the gate: they are in groups of their own."""
+    for process in RUNNING:
+        if process.poll() is None:
+            send(process, signal.Signals(number))
+    raise SystemExit(128 + number)
 
 
 def side_by_side(parts: tuple[str, ...]) -> list[Ran]:
@@ -130,6 +188,8 @@ def main(arguments: list[str]) -> int:
     """Run the stages, print the lines, and return 0 only if every part passed."""
     which = CHECKED if "--changed" in arguments else STAGES
     LOGS.mkdir(parents=True, exist_ok=True)
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        signal.signal(number, interrupt)
     begin = time.monotonic()
     ran = stages(which)
     done = {one.part for one in ran}

@@ -35,7 +35,13 @@ from wraparc.catalogue import loader
 from wraparc.checks import gross_slip, of_arc
 from wraparc.checks.check import Level
 from wraparc.checks.judge import _across, judge
-from wraparc.checks.least_tension import least_tension, least_with_slip
+from wraparc.checks.least_tension import (
+    least_by_interval,
+    least_tension,
+    least_when_covered,
+    least_when_wet,
+    least_with_slip,
+)
 from wraparc.conveyor import belt_path, conveyor
 from wraparc.drive import compression, tension_rules
 from wraparc.files import drive_file
@@ -180,6 +186,9 @@ OF_CHECKS: dict[Any, Any] = {
     gross_slip.lift: in_page_checks.lift,
     gross_slip.wet: in_page_checks.wet,
     least_with_slip: in_page_checks.least_with_slip,
+    least_when_covered: in_page_checks.least_when_covered,
+    least_when_wet: in_page_checks.least_when_wet,
+    least_by_interval: in_page_checks.least_by_interval,
     of_arc.largest_slip: in_page_checks.largest_slip,
     of_arc.slip_speed: in_page_checks.slip_speed,
     of_arc.creep_interval: in_page_checks.creep_interval,

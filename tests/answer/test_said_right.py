@@ -58,6 +58,8 @@ def test_parts_that_cancel_are_no_shares() -> None:
     """An idle pulley: the overrun and what takes it back again are many times their sum."""
     for row in rows(solved(100e3, 100e3), "Creep by source").values():
         assert "%" not in row.values[0]
+    for row in rows(constant(100e3, 100e3, 0.35), "Creep by source").values():
+        assert row.values == ("0 mm",)  # of none at all
     driving = rows(solved(), "Creep by source")
     assert "%" in driving["Global creep"].values[0]
 

@@ -29,7 +29,7 @@ def tandem() -> TrainResult:
 
 def test_it_shows_its_drives() -> None:
     text = " ".join(checked(tandem()._repr_html_()).text)
-    assert "OK dry only, on illustrative data. All 11 checks are kept" in text
+    assert "OK, on illustrative data. All 12 checks are kept" in text
     assert "Load case design: first carries 50 %, second carries 50 %." in text
     full = tandem().full()
     for words in ("Drives: load case design", "Drives: load case empty", "Speed by extra"):

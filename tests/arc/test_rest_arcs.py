@@ -108,3 +108,41 @@ def test_a_belt_that_is_held_all_along(name: str, entry: float) -> None:
     s = result.profile.position * arc.radius
     expected = creep * np.exp((s - arc.length) / lag)
     assert result.profile.creep == pytest.approx(expected, abs=1e-9 * creep)
+
+
+@pytest.mark.parametrize("name", JUMPS)
+@pytest.mark.parametrize("surface", [math.inf, 2.3e6])
+def test_a_belt_that_nothing_drives_rests_without_stress(name: str, surface: float) -> None:
+    arc = replace(ARC, law=LAWS[name], shear_modulus=surface, exit_tension=ARC.entry_tension)
+    result = QUICK.solve(arc)
+    assert result.status is Status.SOLVED
+    assert result.peak_shear_stress == 0.0
+    assert result.exit_creep == 0.0
+    assert result.stuck_arc == pytest.approx(arc.wrap_angle, rel=1e-12)
+    assert not result.profile.shear_stress.any()
+
+
+@pytest.mark.parametrize("side", [1.0, -1.0])
+@pytest.mark.parametrize("pull", [1e-6, 1e-5, 1e-4, 1e-3, 1e-2])
+def test_next_to_no_pull_slides_as_far_as_it_takes(pull: float, side: float) -> None:
+    """Of a rigid surface: tau = mu p over (R/mu) ln(T1/T2) in front of the exit, rest before it.
+
+    The belt shrinks there by C B mu p s^2/2, next to constant pressure.
+    """
+    tension = 100e3
+    arc = replace(
+        ARC, law=Constant(friction_coefficient=MU), shear_modulus=math.inf,
+        entry_tension=tension + side * pull, exit_tension=tension,
+    )  # fmt: skip
+    result = QUICK.solve(arc)
+    assert result.status is Status.SOLVED
+    # tensions of 1e5 N are known to 1.5e-11 N
+    exact = (arc.entry_tension - arc.exit_tension) * side
+    slide = exact / (MU * tension)
+    within = 1e-6 + 3e-11 / pull
+    assert result.active_arc == pytest.approx(0.99 * slide, rel=10.0 * within)
+    assert arc.wrap_angle - result.stuck_arc == pytest.approx(slide, abs=slide * within + 2e-15)
+    creep = 0.5 * side * arc.compliance * exact * arc.radius * slide
+    assert result.exit_creep == pytest.approx(creep, rel=3.0 * within)
+    stress = MU * tension / (arc.width * arc.radius)
+    assert result.peak_shear_stress == pytest.approx(stress, rel=1e-6)

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
-from wraparc.arc import WrapArc
+from wraparc.arc import Distributed, WrapArc
+from wraparc.batch import STATUSES, BatchResult
 from wraparc.batch.arcs import Arcs, arcs_of_table
 from wraparc.drive import Lagging
 from wraparc.friction import FrictionLaw
@@ -64,3 +66,52 @@ def designs(n: int, seed: int) -> dict[str, NDArray[np.float64]]:
         "belt_modulus": np.where(fabric, rng.uniform(5e6, 20e6, n), rng.uniform(5e7, 1.5e8, n)),
         "lagging_thickness": rng.uniform(8e-3, 18e-3, n),
     }
+
+
+#: differences of nearly equal numbers, and places of an extreme, are no better than this: creep to
+#: 1e-6 of some millimetres, and that over the arc
+SMALL = {
+    "creep_shrinkage": 1e-8,
+    "creep_compression": 1e-8,
+    "creep_global": 1e-8,
+    "entry_creep_ratio": 1e-8,
+    "exit_creep_ratio": 1e-8,
+    "peak_shear_position": 1e-4,
+    "outside_tested_share": 1e-4,  # crossings by straight lines between some hundred points
+    "active_arc": 5e-4,  # one arc takes the tension as straight between 180 points
+    "mean_friction": 1e-11,  # the solver reaches T2 to so much
+    "transmitted_power": 1e-5,
+    "efficiency": 1e-12,
+    "shear_loss": 1e-7,
+    "power_loss": 1e-7,
+    "sliding_power": 1e-7,
+    "frictional_energy": 1e-9,
+}
+OF_OPERATING_POINT = {
+    "exit_creep", "creep_shrinkage", "creep_compression", "creep_global", "exit_slip",
+    "entry_creep_ratio", "exit_creep_ratio", "peak_shear_stress", "peak_shear_angle",
+    "peak_shear_position", "mean_friction", "active_arc", "outside_tested_share", "stuck_arc",
+    "transmitted_power", "sliding_power", "shear_loss", "power_loss", "efficiency",
+    "frictional_energy", "wear_rate", "exit_tension", "entry_tension", "tension_ratio",
+    "effective_tension",
+}  # fmt: skip
+
+
+def same(batch: BatchResult, arcs: list[WrapArc], *, capacities: bool, within: float) -> None:
+    """Every number that one arc reports, by name."""
+    solver = Distributed(capacities=capacities)
+    columns = dict(batch)
+    for i, arc in enumerate(arcs):
+        result = solver.solve(arc)
+        assert STATUSES[int(columns["status"][i])] == result.status.value, arc
+        scalars = result.scalars()
+        for name, column in columns.items():
+            if name not in scalars or (name in OF_OPERATING_POINT and not result.status.solved):
+                continue
+            expected, found = scalars[name], float(column[i])
+            if math.isnan(expected) or math.isinf(expected):
+                assert str(found) == str(expected), (name, arc)
+            else:
+                scale = arc.wrap_angle if name.endswith("_arc") else abs(expected)
+                small = SMALL.get(name, 0.0)
+                assert abs(found - expected) <= within * scale + small, (name, found, arc)

@@ -14,17 +14,34 @@ from numpy.typing import NDArray
 
 from arc.drives import LAWS
 from arc.wide import any_table
+from batch.mixed import knotted
 from wraparc.arc import traction as one
 from wraparc.batch.traction import Laws, laws_of
-from wraparc.friction import FrictionLaw
+from wraparc.friction import FrictionLaw, IntegralLog, PressureKnots
 from wraparc.friction.compact import residual_at, segment_of
 
 Array = NDArray[np.float64]
 
 TABLES = [any_table(np.random.default_rng([31, k])) for k in range(8)]
+UNLIKE = [knotted(np.random.default_rng([32, k]), softens=k % 3 == 0) for k in range(12)]
+#: more knots than a byte counts, beside two
+LONG = IntegralLog(
+    coefficients=PressureKnots(
+        pressure=tuple(np.linspace(3e4, 9e5, 300).tolist()),
+        peak_friction=tuple(np.linspace(1.2, 0.4, 300).tolist()),
+        peak_slip=tuple(np.linspace(5e-3, 25e-3, 300).tolist()),
+    )
+)
+SHORT = IntegralLog(
+    coefficients=PressureKnots(
+        pressure=(5e4, 4e5), peak_friction=(1.1, 0.6), peak_slip=(8e-3, 20e-3)
+    )
+)
 LAW_SETS: dict[str, Sequence[FrictionLaw]] = {
     **{name: [law] for name, law in LAWS.items()},
     "many by knots": [LAWS["rubber"], LAWS["softening"]],
+    "unlike numbers of knots": UNLIKE,
+    "very unlike numbers of knots": [SHORT, LONG],
     "many with a limit": [LAWS["constant"], LAWS["power"], LAWS["elastic-plastic"]],
     "many tables": TABLES,
 }

@@ -141,6 +141,9 @@ CASES: list[tuple[str, Drive]] = [
     ("design_standard", quiet(entry=100e3, leaving=30e3, creep_limit=0.06, criteria=Criteria(
         standard=DesignStandard(name="CEMA", binding=True, start_factor=1.5)))),
     ("creep", quiet(creep_limit=1e-4)),
+    ("wet_creep", quiet(lagging=SOFT, criteria=replace(NONE, covered=False), creep_limit=3e-3)),
+    ("wet_creep", quiet(lagging=lagging(0.3, surface="bare"), criteria=replace(NONE, covered=False),
+                        creep_limit=0.06)),  # wet it slips
     ("belt_tension", quiet(belt={"rating": 80e3})),
     ("momentary_tension", quiet(belt={"rating": 80e3}, kind="starting")),
     ("face_pressure", quiet(belt={"largest_wrap_pressure": 1e5})),
@@ -208,7 +211,8 @@ def test_where_friction_falls_past_its_peak_the_margin_is_the_same() -> None:
 
 
 def test_a_law_scaled_to_its_condition_asks_for_attention_in_rows_too() -> None:
-    document = drive_document(quiet(lagging=SOFT)) | {"condition": "wet"}
+    open_air = replace(NONE, covered=False)
+    document = drive_document(quiet(lagging=SOFT, criteria=open_air)) | {"condition": "wet"}
     of = drive_from_document(document)
     assert one_by_one(of) == ("ATTENTION", "condition")
     assert of_rows(of, document=document) == one_by_one(of)

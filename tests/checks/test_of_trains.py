@@ -26,6 +26,7 @@ from wraparc.answer.sheet import shown
 from wraparc.answer.train_document import train_document
 from wraparc.answer.train_sheet import train_sheet
 from wraparc.checks import Level, judge, least_tension
+from wraparc.checks.judge import RAISING
 from wraparc.drive import Criteria, DesignStandard, Pulley, Sag, TakeUp
 from wraparc.files.write import drive_document
 from wraparc.render import markdown, workbook
@@ -90,29 +91,29 @@ def with_slack(of: Train, slack: float) -> Train:
 
 def missed(of: Train, slack: float) -> set[str]:
     verdict = judge(solve_train(with_slack(of, slack), raise_on_failure=False))
-    return {c.name for c in verdict.missed if c.binding}
+    return {c.name for c in verdict.missed if c.binding or c.name in RAISING}
 
 
 @pytest.mark.parametrize("number", range(6))
 def test_solved_anew_a_train_keeps_its_checks_and_less_or_more_does_not(number: int) -> None:
     of, found = solved(number).train, least_tension(solved(number))
     assert found is not None
-    least, top = found.governing, found.highest
+    least, top, sets = found.governing, found.highest, {f.name for f in found.required}
     if math.isfinite(least.tension):
-        assert missed(of, least.tension * (1.0 + 1e-6)) <= FROM_ABOVE
-        assert missed(of, 0.99 * least.tension) - FROM_ABOVE
+        assert not missed(of, least.tension * (1.0 + 1e-6)) & sets
+        assert missed(of, 0.99 * least.tension) & sets
     assert top is not None  # the tests of a lagging bound every train from above
     assert not missed(of, top.tension * (1.0 - 1e-6)) & FROM_ABOVE
     assert missed(of, 1.01 * top.tension) & FROM_ABOVE
     if math.isfinite(found.tension):
-        assert missed(of, found.tension * (1.0 + 1e-6)) == set()
+        assert not missed(of, found.tension * (1.0 + 1e-6)) & (sets | FROM_ABOVE)
         assert found.given == min(of.cases[0].entry_tension, of.cases[0].exit_tension)
 
 
 def test_of_the_random_trains_most_have_one() -> None:
     found = [least_tension(solved(number)) for number in range(6)]
     assert sum(f is not None and math.isfinite(f.tension) for f in found) >= 3
-    assert len({f.governing.name for f in found if f is not None}) >= 3
+    assert len({f.governing.name for f in found if f is not None}) >= 2
 
 
 @pytest.mark.parametrize("number", [0, 4])
@@ -256,5 +257,6 @@ def test_the_choice_for_a_pulley_has_the_least_tension_of_the_train(
     found = least_tension(solve_train(load_train(TANDEM)))
     assert found is not None
     ran = wraparc("choose", tmp_path / "choose.toml")
-    told = {"first": f"{found.tension / 1e3:.1f}", "second": "59.4"}[pulley]
+    least = max(f.tension for f in found.figures if f.binding and f.at_least)
+    told = {"first": f"{least / 1e3:.1f}", "second": "59.4"}[pulley]
     assert f"slack-side tension of {told} kN" in ran.words

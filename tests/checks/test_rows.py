@@ -20,7 +20,7 @@ from wraparc.drive.conditions import SCALED
 from wraparc.friction import IntegralLog, PressureKnots
 from wraparc.provenance import Kind, Provenance
 
-NONE = Criteria(standard=DesignStandard(name="none"))
+NONE = Criteria(standard=DesignStandard(name="none"), covered=True)
 WIDE = TestedRange(pressure_min=1e3, pressure_max=1e7, slip_max=0.2)
 
 
@@ -285,12 +285,12 @@ def test_creep_says_whether_the_belt_qualifies_for_more(of: dict[str, Any], said
 def test_the_ok_says_once_what_data_it_stands_on() -> None:
     source = Provenance(Kind.ILLUSTRATIVE)
     for lag, word in (
-        (lagging(provenance=source), "OK dry only, on illustrative data"),
-        (lagging(tested=None), "OK dry only, on friction without tests"),
+        (lagging(provenance=source), "OK, on illustrative data"),
+        (lagging(tested=None), "OK, on friction without tests"),
         (lagging(sources={"shear_modulus": Provenance(note="estimated: G = E/3")}),
-         "OK dry only, on estimated data"),
-        (lagging(provenance=Provenance(Kind.CALIBRATED)), "OK dry only, on calibrated data"),
-        (lagging(), "OK dry only"),
+         "OK, on estimated data"),
+        (lagging(provenance=Provenance(Kind.CALIBRATED)), "OK, on calibrated data"),
+        (lagging(), "OK"),
     ):  # fmt: skip
         verdict = judged(quiet(lagging=lag))
         assert verdict.word == word

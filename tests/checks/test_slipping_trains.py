@@ -160,6 +160,6 @@ def test_check_tells_of_the_tensions_of_a_train(tmp_path: Path, by: str) -> None
 
 
 def test_a_least_tension_of_held_speeds_says_that_the_load_divides_anew(tmp_path: Path) -> None:
-    said = "is kept, the load divided as it is, is"
+    said = "passes, the load divided as it is, is"
     assert said in wraparc("solve", tandem(tmp_path, by='speeds = "equal"')).words
     assert said not in wraparc("solve", tandem(tmp_path)).words

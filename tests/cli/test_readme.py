@@ -16,6 +16,12 @@ def blocks(language: str) -> list[str]:
     return re.findall(rf"```{language}\n(.*?)```", README, re.DOTALL)
 
 
+def test_the_first_two_commands_need_nothing_else_and_the_gate_is_the_second() -> None:
+    first = [line.partition("#")[0].strip() for line in blocks("sh")[0].splitlines()]
+    assert first == ["make demo", "make test"]
+    assert (ROOT / ".ci" / "run").read_text("utf-8").endswith(f"exec {first[1]}\n")
+
+
 def test_the_printed_run_is_a_real_one(monkeypatch: pytest.MonkeyPatch) -> None:
     """Regenerate: COLUMNS=80 wraparc solve examples/head-drive-fabric.toml."""
     monkeypatch.chdir(ROOT)

@@ -25,6 +25,8 @@ UV = os.environ["UV"]
 LEAST = (3, 11)
 #: Extras that bring every library between them, for an environment that has all.
 ALL = ("plot", "report", "bayes", "study", "dask", "web", "notebook")
+#: After so long [s] a command is taken to hang.
+LIMIT = 600.0
 #: What new versions of Python break: compiled libraries, and the server.
 NEWEST = ("plot", "web")
 
@@ -65,10 +67,13 @@ def say(text: str) -> None:
 
 def run(*command: object, cwd: Path = ROOT, **more: str) -> str:
     """Run a command; what it printed, or the end of the gate with all of it."""
-    done = subprocess.run(
-        [str(part) for part in command], cwd=cwd, env=os.environ | more,
-        capture_output=True, check=False, encoding="utf-8",
-    )  # fmt: skip
+    try:
+        done = subprocess.run(
+            [str(part) for part in command], cwd=cwd, env=os.environ | more,
+            capture_output=True, check=False, encoding="utf-8", timeout=LIMIT,
+        )  # fmt: skip
+    except subprocess.TimeoutExpired as hangs:
+        raise SystemExit(f"installed: {hangs}") from None
     if done.returncode:
         told = f"{' '.join(map(str, command))}\n{done.stdout}{done.stderr}"
         raise SystemExit(f"installed: exit code {done.returncode} of {told}")
@@ -195,7 +200,8 @@ def pythons() -> dict[tuple[int, int], str]:
     found: dict[tuple[int, int], str] = {}
     for path in paths:
         asked = [path, "-c", "import sys; print(*sys.version_info[:2], sys.executable)"]
-        done = subprocess.run(asked, capture_output=True, check=False, encoding="utf-8")
+        done = subprocess.run(asked, capture_output=True, check=False, encoding="utf-8",
+                              timeout=LIMIT)  # fmt: skip
         if done.returncode == 0:  # a shim of pyenv may lead nowhere
             major, minor, python = done.stdout.strip().split(" ", 2)
             found.setdefault((int(major), int(minor)), python)

@@ -1,14 +1,16 @@
 """A real browser on a server of its own, for the tests of the pages."""
 
+import asyncio
 import contextlib
 import os
 import shutil
-from collections.abc import Callable, Iterator
+from collections.abc import Awaitable, Callable, Iterator
 from functools import cache
 from importlib.metadata import distributions
 from pathlib import Path
 from typing import Any
 
+from playwright._impl._sync_base import SyncBase
 from playwright.sync_api import (
     Browser,
     Page,
@@ -28,6 +30,25 @@ STUDY = 1e3 * PATIENCE
 #: Most time between two questions of a page, whether its server is there [ms].
 LATER = 5_000
 expect.set_options(timeout=_LONG)  # a busy machine is no fault of the page
+#: After this long [s] any call into the browser is an error, also one that Playwright waits for
+#: without a limit: what a page computes, a promise, a window that opens or closes.
+LIMIT = PATIENCE + 20.0
+_call = SyncBase._sync
+
+
+def _call_within_limit(self: SyncBase, awaitable: Awaitable[Any]) -> Any:
+    async def limited() -> Any:
+        async with asyncio.timeout(LIMIT):
+            return await awaitable
+
+    try:
+        return _call(self, limited())
+    except TimeoutError:
+        kind = type(self).__name__
+        raise AssertionError(f"the browser gave no answer within {LIMIT:g} s ({kind})") from None
+
+
+SyncBase._sync = _call_within_limit  # type: ignore[method-assign]
 FLAGS = [
     "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
     "--disable-background-networking", "--disable-component-update", "--disable-sync",

@@ -24,8 +24,9 @@ ADDRESS = "http://127.0.0.1:8765"
 API = "/api/v1"
 #: Of servers that tests start.
 TOKEN = "token-of-the-tests-0123"  # noqa: S105
-#: After this long [s] what a test waits for is taken to hang; no test counts on it.
-PATIENCE = 600.0
+#: After this long [s] what a test waits for is taken to hang, before the test is; no test counts
+#: on it.
+PATIENCE = 180.0
 
 
 def document(name: str = "head-drive-fabric") -> dict[str, Any]:

@@ -141,9 +141,9 @@ def creep_table(results: Results) -> Table:
 def creep_part(result: ArcResult, name: str) -> str:
     """Return a part of the creep at the exit with its share of the whole."""
     part = getattr(result, name)
-    # parts that cancel, as on an idle pulley, are no shares of their sum
+    # parts that cancel, as on an idle pulley, are no shares of their sum, nor of none
     parts = (result.creep_shrinkage, result.creep_compression, result.creep_global)
-    if sum(map(abs, parts)) > 1.05 * abs(result.exit_creep):
+    if result.exit_creep == 0.0 or sum(map(abs, parts)) > 1.05 * abs(result.exit_creep):
         return named(name, part)
     return f"{named(name, part)} ({percent(part / result.exit_creep, 2)})"
 

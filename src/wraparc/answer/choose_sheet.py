@@ -40,7 +40,6 @@ from wraparc.choose.across import MOST, is_uneven
 from wraparc.choose.belt_rating import LighterBelt
 from wraparc.choose.selection import Selection
 from wraparc.drive import Sag
-from wraparc.drive.conditions import DRY
 
 _MOST_ROWS = 15
 _CSV_HEADS = (
@@ -152,8 +151,7 @@ def _verdict(selection: Selection, lighter: LighterBelt | None) -> Verdict:
     kind = lagging.source_of("law").kind
     ground = ""
     if level is Level.OK:
-        dry = all(c.name == DRY for c in selection.search.conditions)
-        ground = f"{level}{' dry only' if dry else ''}"
+        ground = judged.ok_word
         ground += f", on {kind} data" if kind in WEAK else ""
     return Verdict(level, headline, tuple(sentences), ground, action)
 

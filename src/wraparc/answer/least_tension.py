@@ -27,7 +27,7 @@ def least_sentence(result: DriveResult | TrainResult) -> str:
     if any(pulley.across for pulley in described.pulleys):
         as_now += ", were the pulley even,"
     text = (
-        f"The least {what} with which every binding check is kept{as_now} is {least}, set by "
+        f"The least {what} with which every check that it helps passes{as_now} is {least}, set by "
         f"{why} ({governs.place}); given {given}"
     )
     standard = found.standard
@@ -89,8 +89,9 @@ def least_table(result: DriveResult | TrainResult) -> Table | None:
         bound = "at least" if figure.at_least else "at most"
         shown = at_least if figure.at_least else at_most
         text = "none" if math.isinf(figure.tension) else shown(figure.tension)
-        governs = figure is found.governing
-        note = "governs" if governs else "" if figure.binding else "not binding"
+        counts = figure in found.required or not figure.at_least
+        note = "" if counts else "not counted, as no tension keeps all"
+        note = "governs" if figure is found.governing else note
         note = ", ".join(part for part in (note, str(figure.place)) if part)
         rows.append(Row(f"{figure.title}, {bound}", (text,), "", note))
     where = place or "of the slack side behind the drives"

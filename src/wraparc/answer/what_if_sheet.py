@@ -59,7 +59,7 @@ def what_if_sheet(found: WhatIf, title: str) -> Sheet:
     ]
     least = tuple(shown_least(whole) for whole in wholes)
     behind = ", behind the drives" if several and not first.criteria.take_up.after else ""
-    note = f"for every binding check to be kept{behind}"
+    note = f"for every check that it helps to pass{behind}"
     rows.append(Row(f"Least {least_name(wholes[0])}", least, note=note))
     rows += _standards(wholes)
     across = compared_table(_by_itself(found), heads)
@@ -79,7 +79,7 @@ def what_if_sheet(found: WhatIf, title: str) -> Sheet:
             as_is.level,
             f"{_headline(found)} {wet}".rstrip(),
             tuple(sentences),
-            re.sub("^OK( dry only)?", r"\g<0> as it is", as_is.word),
+            re.sub(r"^OK( \(dry\))?", r"\g<0> as it is", as_is.word),
             kept=tuple(kept),
         ),
         tables=(

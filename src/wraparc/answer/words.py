@@ -66,10 +66,10 @@ def as_it_is(told: Judgement, of: str = AS_IT_IS) -> str:
 
 
 def in_short(told: Judgement, of: str = AS_IT_IS) -> str:
-    """Return what a drive misses as it is, in a few words, or what it misses wet; else nothing."""
-    worst, wet = told.governing, told.beyond_wet()
+    """Return what a drive misses as it is, in a few words; else nothing."""
+    worst = told.governing
     if worst is None or not worst.missed:
-        return f"{wet}." if wet else ""
+        return ""
     where = f" ({worst.place})" if str(worst.place) else ""
     return f"{of}: {worst.short}{where}."
 

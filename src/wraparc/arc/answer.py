@@ -14,6 +14,7 @@ from wraparc.arc.collocation import (
     Course,
     Interface,
     between_tensions,
+    compliance_of,
     first_course,
     mean_creep,
 )
@@ -26,6 +27,7 @@ from wraparc.arc.meet import (
     interface,
     meet,
     ratio_of,
+    resting,
     unmet,
 )
 from wraparc.arc.quantities import BREAKAWAY, POINT_STEPS, SOLVED, UNSOLVED, Geometry, counted
@@ -145,6 +147,8 @@ def _by_creep(law: CompactLaw, arc: Geometry, goal: Guess) -> Met:
 
 
 def _still(face: Interface, arc: Geometry, tension: float) -> Met:
-    """A belt that nothing drives."""
+    """A belt that nothing drives: it rests, and no stress is on it."""
+    if face.slides != 0.0:
+        return resting(face, arc, Guess(tension, tension, 0.0), compliance_of(arc) * tension)
     course = first_course(arc, arc.radius * arc.wrap_angle, tension, tension, 0.0)
     return Met(True, course, NO_SLOPES, 0.0, tension, face)

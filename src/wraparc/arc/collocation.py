@@ -783,6 +783,8 @@ def _carried_over(arc: Geometry, at: Course, places: list[float]) -> Course:
                 i += 1
             share = (s - at.place[i]) / (at.place[i + 1] - at.place[i])
             u, t = state_at(arc, at, i, min(share, 1.0))
+            # between rough points the cubic of a tension may fall below 0
+            t = max(t, LEAST_LEFT * min(at.tension[i], at.tension[i + 1]))
             if c < 1.0:
                 stage.append(t)
         creep.append(u)

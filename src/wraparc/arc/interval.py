@@ -12,7 +12,7 @@ from wraparc.arc.quantities import SOLVED
 from wraparc.arc.wrap_arc import WrapArc
 from wraparc.arrays import Array
 from wraparc.drive import knots_of, with_peaks
-from wraparc.friction import PressureKnots
+from wraparc.friction import FrictionLaw, PressureKnots
 
 nan = math.nan
 #: Step of a slope, in standard deviations of the parameter.
@@ -37,24 +37,40 @@ def creep_interval(arc: WrapArc) -> tuple[float, float]:
     low, high
         The ends; nan where the law has no statistics of its knots, or breaks away itself.
     """
+    laws = laws_at_ends(arc)
+    if laws is None:
+        return nan, nan
+    ends = [_creep_under(arc, law) for law in (arc.law, *laws)]
+    return min(ends), max(ends)
+
+
+def _creep_under(arc: WrapArc, law: FrictionLaw) -> float:
+    """Return the creep at the exit under a law [m], infinite where it does not carry the load."""
+    load = arc.load()
+    found = operating_point(law.compact(), arc.geometry(), load.entry_tension, load.exit_tension)
+    if found.outcome != SOLVED:
+        return math.copysign(math.inf, arc.side)
+    return found.met.course.creep[-1]
+
+
+def laws_at_ends(arc: WrapArc) -> tuple[FrictionLaw, ...] | None:
+    """Return the laws at the ends of the interval, see `creep_interval`; none if it has no width.
+
+    None where the law has no statistics of its knots, or breaks away itself.
+    """
     fit, law, knots = arc.fit, arc.law, knots_of(arc.law)
     if fit is None or knots is None or not fit.knots:
-        return nan, nan
+        return None
     if not all(0 <= place < len(knots.pressure) for place, _ in fit.knots):
-        return nan, nan
-    geometry, load = arc.geometry(), arc.load()
+        return None
     peaks = np.array([getattr(knots, quantity)[place] for place, quantity in fit.knots])
 
-    def creep_at(logs: Array) -> float:
-        moved = with_peaks(law, dict(zip(fit.knots, (peaks * np.exp(logs)).tolist(), strict=True)))
-        found = operating_point(moved.compact(), geometry, load.entry_tension, load.exit_tension)
-        if found.outcome != SOLVED:
-            return math.copysign(math.inf, arc.side)
-        return found.met.course.creep[-1]
+    def moved(logs: Array) -> FrictionLaw:
+        return with_peaks(law, dict(zip(fit.knots, (peaks * np.exp(logs)).tolist(), strict=True)))
 
-    creep = creep_at(np.zeros(len(peaks)))
+    creep = _creep_under(arc, law)
     if math.isinf(creep):
-        return nan, nan
+        return None
     covariance, slopes = fit.log_covariance, np.zeros(len(peaks))
     first, last = _felt(arc, knots)
     for i, (place, quantity) in enumerate(fit.knots):
@@ -64,13 +80,12 @@ def creep_interval(arc: WrapArc) -> tuple[float, float]:
         # to more friction, or earlier friction: such an arc is solved where this one is
         step = np.zeros(len(peaks))
         step[i] = _STEP * spread * (1.0 if quantity == "peak_friction" else -1.0)
-        slopes[i] = (creep_at(step) - creep) / step[i]
+        slopes[i] = (_creep_under(arc, moved(step)) - creep) / step[i]
     deviation = math.sqrt(max(float(slopes @ covariance @ slopes), 0.0))
     if deviation == 0.0:
-        return creep, creep
+        return ()
     way = fit.coverage_factor / deviation * (covariance @ slopes)
-    ends = creep_at(-way), creep_at(way)
-    return min(*ends, creep), max(*ends, creep)
+    return moved(-way), moved(way)
 
 
 def _felt(arc: WrapArc, knots: PressureKnots) -> tuple[int, int]:

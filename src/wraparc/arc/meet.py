@@ -147,15 +147,29 @@ def held_along(face: Interface, arc: Geometry, at: Guess) -> Met | None:
     if abs(creep) > arc.shear * held_stress(face.law, leaving / (arc.width * arc.radius)):
         return None
     ratio = compliance_of(arc) * leaving + creep / lag_length(arc)
-    course = Course([0.0, 0.0], [creep] * 2, [leaving] * 2, [leaving] * 3, ratio)
+    return resting(face, arc, at, ratio)
+
+
+def resting(face: Interface, arc: Geometry, at: Guess, ratio: float) -> Met:
+    """An arc that is held all along, by what is known of its ends and K [-]."""
+    leaving = at.leaving
+    course = Course([0.0, 0.0], [at.creep] * 2, [leaving] * 2, [leaving] * 3, ratio)
     return Met(True, course, NO_SLOPES, arc.radius * arc.wrap_angle, at.entry, face)
 
 
 def _behind_rest(face: Interface, arc: Geometry, ends: Ends, guess: Guess, tol: float) -> Met:
     """`meet` with a rest arc at the entry; not done where it is not much longer than l."""
     length = arc.radius * arc.wrap_angle
-    for share in FIRST_SLIDES:
-        first = first_course(arc, share * length, guess.entry, guess.leaving, guess.creep)
+    slides = [share * length for share in FIRST_SLIDES]
+    if arc.shear == 0.0 and ends.kind == TENSION:
+        # next to no pull: the slide is so short that its traction is that at its end
+        area = arc.width * arc.radius
+        pull = abs(guess.entry - guess.leaving)
+        short = pull / (arc.width * held_stress(face.law, guess.leaving / area))
+        if short < slides[-1]:
+            slides = [short]
+    for slide in slides:
+        first = first_course(arc, slide, guess.entry, guess.leaving, guess.creep)
         first = first._replace(ratio=ratio_behind_rest(face, arc, guess.entry)[0])
         found = solved(face, arc, ends, first, tol)
         if found.done:

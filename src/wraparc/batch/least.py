@@ -20,7 +20,8 @@ Pull = Callable[[Array, Integers], tuple[Array, Flags]]
 LOWEST = 1e-4  # of ln tight-side tension above the pull, where slack-side tension ends
 DEEPEST = 3.0  # below the top of the tested pressures, in ln tension, that is looked at
 GROWTH = 2.5  # of the steps down from the top
-NARROWINGS = 4  # of the bracket of the largest pull; a flat top needs no more
+NARROWINGS = 7  # of the bracket of the largest pull; at a kink of the law it needs so many
+EVEN = 1e-7  # of a pull: one that is less by that is as large
 TOO_NEAR = 3e-5  # of ln pull to the largest one: the least tension is ill-conditioned
 ROUNDS, NEAR = 40, 1e-7  # of false position, and of ln pull
 
@@ -59,6 +60,14 @@ def search_least(pull_within: Pull, pull: Array, highest: Array) -> Least:
     return Least(np.exp(least), most, good, top)
 
 
+def _climbs(lower: Array, higher: Array) -> Flags:
+    """Whether the pull does not fall towards the lower of two tensions.
+
+    Far above the tested pressures it is the same for all, where traction is held.
+    """
+    return np.asarray(lower > (1.0 - EVEN) * higher)
+
+
 def _top(pull_within: Pull, low: Array, high: Array) -> tuple[Array, Array, Flags]:
     """Tension in [low, high], as a logarithm, of the largest pull; that pull; where it is found.
 
@@ -73,14 +82,14 @@ def _top(pull_within: Pull, low: Array, high: Array) -> tuple[Array, Array, Flag
     left = middle - step
     f_left, sound = pull_within(left, rows)
     good &= sound
-    climbing = rows[good & (f_left > best)]
+    climbing = rows[good & _climbs(f_left, best)]
     inside = climbing
     while len(climbing):
         i = climbing
         right[i], f_right[i], middle[i], best[i] = middle[i], best[i], left[i], f_left[i]
         left[i] = np.maximum(left[i] - GROWTH * (right[i] - middle[i]), bottom[i])
         f_left[i], sound = pull_within(left[i], i)
-        climbs = f_left[i] > best[i]
+        climbs = _climbs(f_left[i], best[i])
         good[i] &= sound & ~(climbs & (left[i] <= bottom[i]))
         climbing = i[good[i] & climbs]
     x, f = np.stack([left, middle, right]), np.stack([f_left, best, f_right])

@@ -51,7 +51,7 @@ SMALLEST_LOG_RATIO = 1e-5
 #: at which a share of the peak is reached; then nearer to the best.
 ON_THE_RISE = 0.6
 CREEPS = (0.4, 0.7, 1.0, 1.5, 2.2, 3.3, 5.0, 7.0, 10.0, 16.0, 30.0, 60.0)
-NEARER = 5
+NEARER = 9  # a kink of the law beside the top needs so many
 
 FIRST_NEAR = 0.05  # of Newton's method on the first mesh: what it leaves is the mesh's
 LARGEST_FALL = 6.0  # of ln T, of a first guess
@@ -521,7 +521,9 @@ class RowBatch:
         if len(softening):
             most[softening], creep[softening] = self._largest(live[softening])
         self.found[live, row.GROSS_CAPACITY], self.found[live, row.GROSS_CREEP] = most, creep
-        self.left[live[~np.isfinite(most)]] |= capacity.GROSS_SLIP
+        # what it may cap is not known without it
+        capped = capacity.GROSS_SLIP | capacity.CREEP_LIMIT | capacity.TESTED_SLIP
+        self.left[live[~np.isfinite(most)]] |= capped & parts
 
     def _largest(self, which: Integers) -> tuple[Array, Array]:
         """Largest ratio of laws that fall past their peak, and the creep there: inf without one.
@@ -578,7 +580,8 @@ class RowBatch:
 
     def _cap_by_gross(self, parts: int) -> None:
         """Where creep or slip reach the limit past the largest ratio, that ratio is what counts."""
-        creep = self.found[:, row.GROSS_CREEP]
+        known = np.isfinite(self.found[:, row.GROSS_CAPACITY])
+        creep = np.where(known, self.found[:, row.GROSS_CREEP], np.nan)
         for limit, place, part in (
             ("creep_limit", row.CREEP_CAPACITY, capacity.CREEP_LIMIT),
             ("slip_max", row.SLIP_CAPACITY, capacity.TESTED_SLIP),

@@ -83,6 +83,33 @@ class _Columns(NamedTuple):
     residual_p: Array
 
 
+class _Bank(NamedTuple):
+    """Integral-log laws of some rows, each once.
+
+    Attributes
+    ----------
+    knots
+        Pressures where their pieces meet, shape (some, laws) [Pa]; inf past the last of a law.
+    bases
+        Pressure that the cubics of each cell begin at, shape (laws, some - 1) [Pa].
+    cells
+        Coefficients of the cells, shape (stride, laws, some - 1).
+    ends
+        First and last knot of each law, shape (2, laws) [Pa].
+    softens
+        Whether friction of any of them falls past its peak.
+    pieces
+        Whether they are in pieces, else by knots.
+    """
+
+    knots: Array
+    bases: Array
+    cells: Array
+    ends: Array
+    softens: bool
+    pieces: bool
+
+
 class IntegralLog:
     """Integral-log laws, by knots or in pieces: columns of the pressure, cubics in cells.
 
@@ -90,11 +117,11 @@ class IntegralLog:
     the code of each column, see `wraparc.friction.compact`.
     """
 
-    def __init__(
-        self, knots: Array, cells: Array, row: Integers, softens: bool, pieces: bool, ends: Array
-    ) -> None:
-        self.knots, self.cells, self.row = knots, cells, row
-        self.softens, self.pieces, self.ends = softens, pieces, ends
+    def __init__(self, bank: _Bank, row: Integers) -> None:
+        self.bank, self.row = bank, row
+        self.knots, self.bases, self.cells, self.ends, self.softens, self.pieces = bank
+        # a count of small numbers is quicker
+        self.count = np.uint8 if len(self.knots) < 257 else np.int64
 
     @classmethod
     def of(cls, laws: Sequence[CompactLaw], row: Integers) -> IntegralLog:
@@ -103,19 +130,23 @@ class IntegralLog:
         pieces = laws[0].kind == PIECES
         stride = PIECE_STRIDE if pieces else KNOT_STRIDE
         edges = np.full((most, len(laws)), np.inf)
+        bases = np.zeros((len(laws), most - 1))
         cells = np.zeros((stride, len(laws), most - 1))
         softens = False
         for i, law in enumerate(laws):
             knots = law.edges or (0.0, np.inf)  # one without a tested range has one cell
             n = len(knots)
             edges[:n, i] = knots
+            # from its last knot on a law of fewer knots than others has its last cell again, and
+            # the cubics of that begin at the knot before
+            bases[i, : n - 1], bases[i, n - 1 :] = knots[:-1], knots[-2]
             numbers = np.reshape(law.coefficients, (n - 1, stride))
             cells[:, i, : n - 1] = numbers.T
             cells[:, i, n - 1 :] = numbers[-1][:, None]
             tail = numbers[:, 12:18] if pieces else numbers[:, 8:12]
             softens = softens or bool(np.any(tail))
         ends = [(law.edges[0], law.edges[-1]) if law.edges else (0.0, np.inf) for law in laws]
-        return cls(edges, cells, row, softens, pieces, np.array(ends).T)
+        return cls(_Bank(edges, bases, cells, np.array(ends).T, softens, pieces), row)
 
     def edges(self) -> Array:
         """Pressures where friction has kinks, shape (some, n) [Pa]; inf where there is none."""
@@ -123,16 +154,14 @@ class IntegralLog:
 
     def rows(self, which: slice | Integers) -> IntegralLog:
         """Laws of some of the rows."""
-        return IntegralLog(
-            self.knots, self.cells, self.row[which], self.softens, self.pieces, self.ends
-        )
+        return IntegralLog(self.bank, self.row[which])
 
     def _cells(self, pressure: Array) -> tuple[Array, Integers, Array, Array, Array]:
         """Numbers of all cells; cells of pressures; these held inside the edges; both edges."""
         row, one = self.row, len(self.knots[0]) == 1
         first, last = (self.ends[:, 0]) if one else self.ends[:, row]
         at = np.minimum(np.maximum(pressure, first), last)
-        passed = np.zeros(at.shape, dtype=np.uint8)
+        passed = np.zeros(at.shape, dtype=self.count)
         for edge in self.knots[1:-1]:
             passed += at >= (edge[0] if one else edge[row])
         cell = passed.astype(np.int64)
@@ -149,8 +178,7 @@ class IntegralLog:
         return _Columns(*found[:4], *slopes), last
 
     def _cubics(self, flat: Array, cell: Integers, at: Array) -> tuple[Array, ...]:
-        base = self.knots[:-1].T.reshape(-1)
-        t = at - base.take(cell)
+        t = at - self.bases.take(cell)
         values: list[Array] = []
         slopes: list[Array] = []
         for o in (0, 4, 8, 12):
@@ -233,7 +261,7 @@ class IntegralLog:
             c, last = self._columns(pressure)
             return np.asarray(c.friction * np.minimum(last / pressure, 1.0))
         flat, cell, at, _, last = self._cells(pressure)
-        t = at - self.knots[:-1].T.reshape(-1).take(cell)
+        t = at - self.bases.take(cell)
         m0, m1, m2, m3 = (flat[k].take(cell) for k in (4, 5, 6, 7))
         mu = m0 + t * (m1 + t * (m2 + t * m3))
         return np.asarray(mu * np.minimum(last / pressure, 1.0))

@@ -10,9 +10,7 @@ from weakref import WeakKeyDictionary
 from wraparc.arc import ArcResult, DriveResult
 from wraparc.checks import of_arc, of_data, of_drive, of_train
 from wraparc.checks.check import Check, Level, Place, Verdict
-from wraparc.checks.gross_slip import wet
 from wraparc.checks.least_tension import LeastTension, least_tension
-from wraparc.checks.numbers import kept
 from wraparc.checks.rule import idle, not_checked
 from wraparc.checks.rules import ACROSS_RULES, OF_PULLEY, RULES, spot_of
 from wraparc.checks.usual import Owner, owners_of, usual_sizes
@@ -40,12 +38,7 @@ def judge(result: DriveResult | TrainResult) -> Verdict:
     The same result is judged once, however often it is asked about.
     """
     if result not in _told:
-        verdict = Verdict(sound(every_check(result), least_tension(result)))
-        if verdict.level is Level.OK:
-            one = result.drive_result() if isinstance(result, TrainResult) else result
-            most, over = _wet(one)
-            verdict = replace(verdict, wet=most, over_wet=over)
-        _told[result] = verdict
+        _told[result] = Verdict(sound(every_check(result), least_tension(result)))
     return _told[result]
 
 
@@ -54,29 +47,11 @@ def every_check(result: DriveResult | TrainResult) -> tuple[Check, ...]:
     return tuple(_train(result) if isinstance(result, TrainResult) else _drive(result))
 
 
-def _wet(result: DriveResult) -> tuple[float, bool]:
-    """Largest creep when wet of a drive that was computed dry only, and whether one is too large.
-
-    See `Verdict.wet`.
-    """
-    most, over, drive = -1.0, False, result.drive
-    for arc in result:
-        condition = drive.load_case(arc.arc.load_case).condition
-        factor = of_data.wet_factor(drive.pulley(arc.arc.pulley).lagging_in(condition))
-        if factor == 0.0:
-            return -1.0, False
-        if not idle(arc.arc):
-            creep = wet(arc, factor)
-            most = creep if math.isnan(creep) else max(most, creep)
-            over = over or not (math.isnan(creep) or kept(creep, arc.arc.creep_limit, True))
-    return most, over
-
-
 def sound(checks: tuple[Check, ...], least: LeastTension | None) -> tuple[Check, ...]:
     """Return checks that advise nothing which does not help, or works against another check.
 
-    A tension is raised or lowered only where one keeps every binding check, and a pulley is evened
-    out only where an even one would do.
+    A tension is raised or lowered only where one keeps every binding check and this one, and a
+    pulley is evened out only where an even one would do.
     """
     missed = [(c.name, c.place) for c in checks if c.missed]
     names = {name for name, _ in missed}
@@ -99,9 +74,8 @@ def _helps(check: Check, least: LeastTension | None, both: bool) -> bool:
     own = next((f for f in least.figures if f.name == check.name), None)
     if own is None and both:  # across the width: one asks for more, another for less
         return False
-    top = least.highest
-    too_much = own is not None and top is not None and own.at_least and own.tension > top.tension
-    return math.isfinite(least.tension) and not too_much
+    helps = own is None or not own.at_least or own in least.required
+    return math.isfinite(least.tension) and helps
 
 
 def before(described: Drive | Train) -> Verdict:

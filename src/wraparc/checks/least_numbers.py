@@ -1,4 +1,4 @@
-"""What the checks of one arc ask of the slack side: plain numbers only, see `checks.numbers`."""
+"""What the checks of one arc require of the slack side: plain numbers only."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from math import inf
 from typing import NamedTuple
 
 from wraparc.arc.capacity import Limit, carry, least_slack
-from wraparc.arc.collocation import SLIP
+from wraparc.arc.collocation import CREEP, SLIP
 from wraparc.arc.quantities import Geometry
 from wraparc.friction.compact import CompactLaw
 
@@ -21,7 +21,15 @@ class Pull(NamedTuple):
 
 def least_for_slip(law: CompactLaw, geometry: Geometry, of: Pull, limit: float) -> float:
     """Least slack-side tension with which the slip at the exit keeps a limit [N]; inf if none."""
-    most = Limit(SLIP, limit)
-    met = carry(law, geometry, of.tight, most)
-    least = least_slack(law, geometry, of.pull, most, met, of.top).slack
+    return _least_within(law, geometry, of, Limit(SLIP, limit))
+
+
+def least_for_creep(law: CompactLaw, geometry: Geometry, of: Pull, limit: float) -> float:
+    """Least slack-side tension with which the creep at the exit keeps a limit [N]; inf if none."""
+    return _least_within(law, geometry, of, Limit(CREEP, limit))
+
+
+def _least_within(law: CompactLaw, geometry: Geometry, of: Pull, limit: Limit) -> float:
+    met = carry(law, geometry, of.tight, limit)
+    least = least_slack(law, geometry, of.pull, limit, met, of.top).slack
     return least if least == least else inf

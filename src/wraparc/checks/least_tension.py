@@ -1,23 +1,26 @@
-"""The least slack-side tension with which every binding check is kept."""
+"""The least slack-side tension with which every check is kept that it helps."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from weakref import WeakKeyDictionary
 
 from wraparc.alike import largest, least
 from wraparc.arc import ArcResult, DriveResult, WrapArc
 from wraparc.arc.capacity import highest_tight
+from wraparc.arc.interval import laws_at_ends
 from wraparc.checks.check import Level, Place
 from wraparc.checks.design_standard import asked
 from wraparc.checks.gross_slip import lift, rises
-from wraparc.checks.least_numbers import Pull, least_for_slip
-from wraparc.checks.of_arc import design_slack
+from wraparc.checks.least_numbers import Pull, least_for_creep, least_for_slip
+from wraparc.checks.of_arc import COVER_CREEP, CREEP_INTERVAL, design_slack
+from wraparc.checks.of_wet import WET_CREEP, estimate_factor
 from wraparc.checks.rule import Rule, Spot, idle
 from wraparc.checks.rules import OF_PULLEY, spot_of
+from wraparc.checks.sliding import with_friction
 from wraparc.conveyor import Conveyor
 from wraparc.drive import Drive, LoadCase
 from wraparc.train import TrainResult
@@ -26,6 +29,8 @@ inf = math.inf
 
 #: Tension of a belt that does not hang slack [N].
 TAUT = 1.0
+#: Rounds of a search at most, and its last step over what is sought [-].
+_ROUNDS, _NEAR = 20, 1e-7
 
 
 @dataclass(frozen=True)
@@ -42,7 +47,9 @@ class Figure:
     place
         Where it asks so much.
     binding
-        Whether it counts; a design standard does only if it is made to.
+        Whether a design must keep the check. Of the others, a design standard that was not made
+        binding, a cover in series, the interval of a fitted law and the estimate of wet, counts
+        what a tension keeps, see `LeastTension.required`.
     at_least
         Whether it is a bound from below.
     """
@@ -79,9 +86,19 @@ class LeastTension:
     elsewhere: bool = False
 
     @cached_property
+    def required(self) -> tuple[Figure, ...]:
+        """What sets the least tension: what binds, and what else some tension keeps.
+
+        A tension beyond what another check allows keeps none.
+        """
+        top = inf if self.highest is None else self.highest.tension
+        below = (f for f in self.figures if f.at_least)
+        return tuple(f for f in below if f.binding or (f.tension <= top and f.tension < inf))
+
+    @cached_property
     def governing(self) -> Figure:
-        """The binding check that asks for most."""
-        return largest((f for f in self.figures if f.binding and f.at_least), _tension)
+        """The check that asks for most."""
+        return largest(self.required, _tension)
 
     @property
     def tension(self) -> float:
@@ -128,7 +145,9 @@ def least_tension(result: DriveResult | TrainResult) -> LeastTension | None:
     """Return the least slack-side tension of a solved drive or train.
 
     It is never less than what any binding check asks for: creep, slip and wrap pressures within
-    the tests, sag, the safety factor on gross slip, a design standard made binding.
+    the tests, sag, the safety factor on gross slip, a design standard made binding. Nor than what
+    the design standard, the cover of the belt in series, the interval of a fitted law or the
+    estimate of wet ask for, where a tension that no check forbids keeps them.
 
     Returns
     -------
@@ -207,6 +226,7 @@ def _figures(
             least = result.capacities.least_exit_tension
             yield Figure("creep", "Creep", offset + (inf if math.isnan(least) else least), place)
             yield from _slip(result, offset, place)
+            yield from _estimates(spot, result, offset)
             yield from _standard(spot, offset)
             yield _gross_slip(drive, case, arcs, index, end)
         for rule in OF_PULLEY:
@@ -254,6 +274,67 @@ def least_with_slip(result: ArcResult, limit: float) -> float:
     arc = result.arc
     found = least_for_slip(arc.law.compact(), arc.geometry(), _pull_of(arc), limit)
     return found + arc.centrifugal
+
+
+def _estimates(spot: Spot, result: ArcResult, offset: float) -> Iterator[Figure]:
+    """Yield what the checks ask for that estimate a larger creep than that of the arc."""
+    factor = estimate_factor(spot)
+    for rule, title, asks in (
+        (COVER_CREEP, "Creep with the cover of the belt in series", least_when_covered(result)),
+        (CREEP_INTERVAL, "Creep at the end of its interval", least_by_interval(result)),
+        (WET_CREEP, "Creep when wet, estimated", least_when_wet(result, factor)),
+    ):
+        if not math.isnan(asks):
+            yield Figure(rule.name, title, offset + asks, spot.place, binding=False)
+
+
+def least_when_covered(result: ArcResult) -> float:
+    """Least slack-side tension for the creep with the cover in series; nan if there is none [N]."""
+    arc = result.arc
+    if arc.cover_left_out == 0.0:
+        return math.nan
+    geometry = arc.geometry()
+    series = geometry._replace(shear=geometry.shear + arc.cover_left_out)
+    found = least_for_creep(arc.law.compact(), series, _pull_of(arc), arc.creep_limit)
+    return found + arc.centrifugal
+
+
+def least_when_wet(result: ArcResult, factor: float) -> float:
+    """Least slack-side tension for the creep with a factor on the friction [N]; nan without it."""
+    arc = result.arc
+    if not factor > 0.0:
+        return math.nan
+    wet = with_friction(arc.geometry(), factor)
+    found = least_for_creep(arc.law.compact(), wet, _pull_of(arc), arc.creep_limit)
+    return found + arc.centrifugal
+
+
+def least_by_interval(result: ArcResult) -> float:
+    """Least slack-side tension for the end of the creep's interval [N]; nan if there is none.
+
+    The laws at the ends depend on the tensions: they are found anew at each tension.
+    """
+    arc, least = result.arc, result.capacities.least_exit_tension
+    if arc.fit is None or not arc.fit.knots or result.method == "paper":
+        return math.nan
+    if math.isnan(least):
+        return inf
+    pull, last = abs(arc.effective_tension), math.nan
+    for _ in range(_ROUNDS):
+        ends = (least + pull, least) if arc.side > 0.0 else (least, least + pull)
+        at = replace(arc, entry_tension=ends[0], exit_tension=ends[1])
+        laws = laws_at_ends(at)
+        if laws is None:
+            return math.nan
+        geometry, of = at.geometry(), _pull_of(at)
+        under = (least_for_creep(law.compact(), geometry, of, at.creep_limit) for law in laws)
+        last, least = (
+            least,
+            max([least_of_law + arc.centrifugal for least_of_law in under] or [least]),
+        )
+        if math.isinf(least) or abs(least - last) <= _NEAR * least:
+            break
+    return least
 
 
 def _pull_of(arc: WrapArc) -> Pull:

@@ -2,27 +2,15 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 
 from wraparc.checks.check import Check, Level, Place, escaped
 from wraparc.checks.rule import Rule, Spot, origin
 from wraparc.drive import Drive, Lagging, Pulley
 from wraparc.drive.changes import WORN
-from wraparc.drive.conditions import DRY, SCALED, Condition
+from wraparc.drive.conditions import SCALED
 from wraparc.drive.pitch import covered
-from wraparc.errors import InputError
 from wraparc.provenance import Kind, Provenance
-
-
-def wet_factor(lagging: Lagging) -> float:
-    """What wet leaves of the friction of a lagging: nan if not known, 0 where it is not dry [-]."""
-    if lagging.condition != DRY:
-        return 0.0
-    try:
-        return Condition(name="wet").factor_of(lagging)[0]
-    except InputError:  # nothing is published on its surface
-        return math.nan
 
 
 def _condition(of: Spot) -> Iterator[Check]:

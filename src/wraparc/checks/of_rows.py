@@ -30,10 +30,11 @@ from wraparc.checks.of_arc import (
 from wraparc.checks.of_data import CONDITION, FIT
 from wraparc.checks.of_drive import BELT_THICKNESS, open_shift
 from wraparc.checks.of_train import OF_MOTORS
+from wraparc.checks.of_wet import WET_CREEP, estimate_factor
 from wraparc.checks.rule import At, Rule, State
 from wraparc.checks.rules import ACROSS_CHECKS, RESULTS, RULES
 from wraparc.checks.sliding import CREEP, NOT_CARRIED, TESTED
-from wraparc.checks.sliding_rows import LoadedRows, pulls_at_sliding
+from wraparc.checks.sliding_rows import LoadedRows, pulls_at_sliding, wet_creeps
 from wraparc.checks.usual import USUAL_RULE, least_margin, sizes_of
 from wraparc.drive import Drive
 from wraparc.drive.changes import WORN
@@ -76,6 +77,9 @@ class Held:
     standard
         Slack-side tension that the design standard asks for [N]; infinite where a chosen one
         cannot be applied.
+    wet_factor
+        Friction over dry friction for the estimate when wet, nan if not known, 0 for no estimate
+        [-].
     cover_left_out
         h_b/G_b of a belt cover that the slip of the law may include or not [m/Pa].
     scaled
@@ -95,6 +99,7 @@ class Held:
     tight_rise: Array
     slack_rise: Array
     standard: Array
+    wet_factor: Array
     cover_left_out: Array
     scaled: Flags
     misfit: Flags
@@ -113,6 +118,23 @@ class Held:
                 some = _row(value, which) if isinstance(value, State) else value[which]
                 taken[of.name] = some
         return Held(**taken)
+
+    @classmethod
+    def joined(cls, every: Sequence[Held]) -> Held:
+        """Return what rows are held against that stand below each other."""
+        first, made = every[0], dict[str, Any]()
+        for of in fields(cls):
+            values = [getattr(held, of.name) for held in every]
+            value = values[0]
+            if isinstance(value, Mapping):
+                made[of.name] = {n: np.concatenate([v[n] for v in values]) for n in value}
+            elif isinstance(value, Sizes):
+                made[of.name] = Sizes(*map(np.concatenate, zip(*values, strict=True)))
+            elif isinstance(value, State):
+                made[of.name] = _joined_states(values)
+            else:
+                made[of.name] = np.concatenate(values)
+        return first if len(every) == 1 else cls(**made)
 
     def columns(self) -> Iterator[Array]:
         """Yield every column but those of the motors."""
@@ -191,6 +213,7 @@ def held_by(
         tight_rise=tight_rise,
         slack_rise=slack_rise,
         standard=np.where(never, math.inf, np.where(never, 0.0, factors) * pull),
+        wet_factor=column(estimate_factor),
         cover_left_out=column(_cover_left_out),
         scaled=column(_scaled) > 0.0,
         misfit=column(_misfit) > 0.0,
@@ -274,6 +297,12 @@ def _row(state: State[Array], which: Any) -> State[Any]:
     return State(**{name: getattr(state, name)[which] for name in numbers}, found={})
 
 
+def _joined_states(states: Sequence[State[Array]]) -> State[Array]:
+    numbers = [f.name for f in fields(states[0]) if f.name != "found"]
+    columns = {name: np.concatenate([getattr(s, name) for s in states]) for name in numbers}
+    return State(**columns, found={})
+
+
 def _open_trims(
     drives: Sequence[Drive], which: Integers, index: int, tensions: tuple[Array, Array]
 ) -> Flags:
@@ -340,7 +369,7 @@ def worst_of_rows(
     n = len(solved.arcs)
     level, governing = np.zeros(n, dtype=np.int8), np.zeros(n, dtype=np.int8)
     least = np.full(n, math.inf)
-    for name, ranks, margins in _checks(solved, held, factors, setting):
+    for name, ranks, margins in row_checks(solved, held, factors, setting):
         worse = (ranks > level) | ((ranks == level) & (ranks > 0) & (margins < least))
         worse |= (ranks > 0) & (governing == 0)
         level = np.where(worse, ranks, level).astype(np.int8)
@@ -351,7 +380,7 @@ def worst_of_rows(
     return level, governing, least
 
 
-def _checks(
+def row_checks(
     solved: BatchResult, held: Held, factors: tuple[Array, Array], setting: Setting
 ) -> Iterator[tuple[str, Array, Array]]:
     """Yield name, rank of the level and margin of every check in the order of `RULES`."""
@@ -374,6 +403,12 @@ def _checks(
                 creep = _covered_creep(arcs, held, factors, setting, np.flatnonzero(there))
                 limit = np.where(there, arcs.creep_limit, none)
                 yield rule.name, *_compared(rule, held, creep, limit)
+        elif rule is WET_CREEP:
+            dry = kept_rows(np.abs(solved["exit_creep"]), arcs.creep_limit, at_most=True)
+            wet = np.where(solved.solved & dry & ~idle, held.wet_factor, none)
+            creep = wet_creeps(arcs, wet, factors, setting)
+            limit = np.where(wet > 0.0, arcs.creep_limit, none)
+            yield rule.name, *_compared(rule, held, creep, limit)
         elif rule is USUAL_RULE:
             yield rule.name, *_usual_sizes(held)
         elif rule in flags:

@@ -14,7 +14,7 @@ from weakref import WeakKeyDictionary
 import numpy as np
 
 from wraparc.arc.result import MORE_FRICTION
-from wraparc.checks import of_data, of_drive
+from wraparc.checks import of_data, of_drive, of_wet
 from wraparc.checks.check import Check, Level, Place, Verdict
 from wraparc.checks.judge import diameters, sound
 from wraparc.checks.numbers import usual
@@ -25,7 +25,7 @@ from wraparc.checks.rules import OF_PULLEY, spot_of
 from wraparc.checks.sliding import SLIDES
 from wraparc.checks.usual import Ends, Owner, owners_of, unusual, usual_sizes
 from wraparc.conveyor import GRAVITY
-from wraparc.drive import Drive, Lagging, LoadCase, Pulley, Tensions
+from wraparc.drive import Drive, LoadCase, Pulley, Tensions
 from wraparc.errors import InputError
 from wraparc.train import Motor, Motors
 from wraparc.train.motors import MOMENTARY
@@ -81,16 +81,8 @@ def judge_run(run: RunResult) -> Verdict:
     The same run is judged once, however often it is asked about.
     """
     if run not in _told:
-        verdict = Verdict(sound(tuple(_checks(run)), None))
-        dry = verdict.level is Level.OK and all(map(of_data.wet_factor, _laggings(run)))
-        _told[run] = replace(verdict, wet=math.nan) if dry else verdict
+        _told[run] = Verdict(sound(tuple(_checks(run)), None))
     return _told[run]
-
-
-def _laggings(run: RunResult) -> Iterator[Lagging]:
-    """Yield the laggings in the condition that runs."""
-    condition = run.station.train.case(run.station.load_case).condition
-    return (pulley.lagging_in(condition) for pulley in run.station.train.pulleys)
 
 
 def otherwise(run: RunResult) -> tuple[Otherwise, ...]:
@@ -142,6 +134,8 @@ def _checks(run: RunResult) -> Iterator[Check]:
     if not any(check.missed and "inertia" in check.title for check in sizes):
         yield from _drums_over_conveyor(run)
     yield from (of_data.data(drive, pulley) for pulley in drive.pulleys)
+    if not drive.criteria.covered and of_wet.is_dry_only(drive, case):
+        yield not_checked(of_wet.WET_CREEP.name, of_wet.TITLE, "the event was solved dry", at)
 
 
 def _slack_ends(run: RunResult) -> Iterator[tuple[float, str]]:

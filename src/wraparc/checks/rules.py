@@ -13,13 +13,14 @@ from wraparc.checks.of_arc import GROSS_SLIP, OF_GRIP, OF_LAGGING, OF_SLIP
 from wraparc.checks.of_data import OF_LAW
 from wraparc.checks.of_drive import BELT_THICKNESS, OF_BELT, OF_TESTS, PULLEY_DIAMETER, SAG, TAUT
 from wraparc.checks.of_train import OF_MOTORS, TRAIN_BALANCE_RULE
+from wraparc.checks.of_wet import WET_CREEP
 from wraparc.checks.rule import Rule, Spot, State
 from wraparc.checks.usual import USUAL_RULE
 from wraparc.drive import Drive, LoadCase, Pulley
 from wraparc.drive.pitch import centrifugal_of
 
 #: Those of one pulley in one load case, and in an event where they are asked of runs.
-OF_PULLEY = (*OF_GRIP, *OF_BELT, *OF_LAGGING, *OF_TESTS, *OF_LAW, *OF_SLIP, SAG)
+OF_PULLEY = (*OF_GRIP, WET_CREEP, *OF_BELT, *OF_LAGGING, *OF_TESTS, *OF_LAW, *OF_SLIP, SAG)
 RULES = {
     rule.name: rule
     for rule in (

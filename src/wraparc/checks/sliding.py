@@ -230,18 +230,27 @@ def tight_at_sliding(of: Loaded, pull: float, begin: Sequence[AtLimit]) -> float
     return pull * slide_place(of, line, -1.0, 1.0, max(tight / pull, 1.0 + 1e-6)).place
 
 
-def wet_creep(of: Loaded, factor: float) -> float:
-    """Creep at the exit with a factor on the friction [m]; inf in gross slip, nan without a factor.
+def with_friction(geometry: Geometry, factor: float) -> Geometry:
+    """Return the geometry whose answers are those of an arc with a factor on its friction.
 
     An arc under f mu is one under mu of f times the wrap, with a belt of 1/f and a lagging of f
     times the compliance: exact.
     """
+    return geometry._replace(
+        wrap_angle=factor * geometry.wrap_angle,
+        compliance=geometry.compliance / factor,
+        shear=factor * geometry.shear,
+    )
+
+
+def wet_creep(of: Loaded, factor: float) -> float:
+    """Creep at the exit with a factor on the friction [m]; inf in gross slip, nan without a factor.
+
+    Of rows `wraparc.checks.sliding_rows.wet_creeps`.
+    """
     if isnan(factor):
         return nan
-    g = of.geometry
-    wet = g._replace(
-        wrap_angle=factor * g.wrap_angle, compliance=g.compliance / factor, shear=factor * g.shear
-    )
+    wet = with_friction(of.geometry, factor)
     found = operating_point(of.law, wet, of.load.entry_tension, of.load.exit_tension)
     return abs(found.met.course.creep[-1]) if found.outcome == SOLVED else inf
 

@@ -16,7 +16,7 @@ from wraparc.batch import Setting, row
 from wraparc.batch.arcs import Arcs, present
 from wraparc.batch.gross_slip import ratio_at_gross_slip
 from wraparc.batch.rows import AtLimit, OnLine, carried_on, may_peak, solve_rows
-from wraparc.batch.scaled import Unscaled
+from wraparc.batch.scaled import Unscaled, solve_scaled
 from wraparc.batch.solve import CHUNK
 from wraparc.batch.traction import Laws
 from wraparc.checks.sliding import (
@@ -315,3 +315,34 @@ def _spare(
         np.where(even, slack - tight * kept, np.log(np.maximum(q, LEAST_CARRIED) / asked)),
         np.where(even, at.slack_rise - at.tight_rise * kept, fall - grows),
     )
+
+
+def wet_creeps(
+    arcs: Arcs, wet: Array, factors: tuple[Array, Array], setting: Setting = Setting.ENGINEERING
+) -> Array:
+    """Return creeps at the exit with factors on the friction, shape (n,) [m].
+
+    Parameters
+    ----------
+    arcs
+        The arcs.
+    wet
+        Wet friction over dry friction, shape (n,); nan if not known [-].
+    factors
+        Factors on the dry friction and on the slips of the laws, shape (n,) each [-].
+    setting
+        How accurately.
+
+    Returns
+    -------
+    Infinite in gross slip, nan without a factor.
+    """
+    found, known = np.full(len(arcs), np.nan), np.flatnonzero(wet > 0.0)
+    if len(known) == 0:
+        return found
+    friction, slip = (factor[known] for factor in factors)
+    again = solve_scaled(
+        arcs.rows(known), friction * wet[known], slip, setting=setting, capacities=False
+    )
+    found[known] = np.where(again.solved, np.abs(again["exit_creep"]), np.inf)
+    return found

@@ -12,6 +12,7 @@ from wraparc.arrays import Array, Flags, Integers
 from wraparc.checks import Level, judge
 from wraparc.checks.check import Verdict
 from wraparc.checks.least_tension import taut
+from wraparc.checks.of_wet import WET_CREEP
 from wraparc.choose.across import Edges, excess_of, is_uneven, solve_edges
 from wraparc.choose.answers import solve_columns
 from wraparc.choose.life_cycle import Costs, costs_of
@@ -26,6 +27,7 @@ from wraparc.choose.slack_rules import (
     slack_offset,
     standard_slack,
 )
+from wraparc.drive.criteria import is_wet
 from wraparc.train.whole import solved
 
 #: Designs of the ranking that are judged at most, where the first one misses a check.
@@ -118,7 +120,15 @@ class Selection:
         verdicts = (judge(solved(whole)) for whole in wholes)
         checks = (check for verdict in verdicts for check in verdict.checks)
         told, own = "design_standard", search.pulley
-        return Verdict(tuple(c for c in checks if c.name != told or c.place.pulley != own))
+        solved_wet = any(is_wet(condition.name) for condition in search.conditions)
+        return Verdict(
+            tuple(
+                c
+                for c in checks
+                if (c.name != told or c.place.pulley != own)
+                and not (solved_wet and c.name == WET_CREEP.name)
+            )
+        )
 
     def broken(self, design: int) -> tuple[str, ...]:
         """Names of the limits that a design breaks."""

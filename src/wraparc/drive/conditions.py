@@ -14,6 +14,7 @@ from typing import ClassVar
 
 from wraparc.catalogue import DesignFriction, design_friction
 from wraparc.drive import Lagging
+from wraparc.drive.criteria import is_wet
 from wraparc.errors import InputError, Problem, input_error, nearest, shown
 from wraparc.provenance import Kind, Provenance
 from wraparc.schema.limits import Limit, limit_problems, raise_all
@@ -59,7 +60,7 @@ class Condition:
     def _wetter(self) -> list[Problem]:
         """Return a problem for a wet friction above the dry one."""
         factors = {"factor": self.factor, **self.factors}
-        if "wet" not in self.name.lower().split():
+        if not is_wet(self.name):
             return []
         message, remedy = "more friction wet than dry", "Give friction when wet over dry, 0.8 say."
         return [

@@ -22,6 +22,11 @@ CONDITIONS = ("dry", "wet", "wet and dirty")
 _FACTOR = Limit("number", least=1.0, most=10.0)
 
 
+def is_wet(condition: str) -> bool:
+    """Return whether a condition is a wet one: ``wet``, ``wet and dirty`` ..."""
+    return "wet" in condition.lower().split()
+
+
 def choice_problems(thing: object, choices: Mapping[str, tuple[str, ...]]) -> list[Problem]:
     """Return a problem for every field that is none of its words."""
     return [
@@ -216,9 +221,12 @@ class Criteria:
         See there.
     sag
         Sag of the slack belt, or None to leave it out.
+    covered
+        Whether the drive never runs wet: its creep when wet is then not estimated.
     """
 
     take_up: TakeUp = field(default_factory=TakeUp)
     standard: DesignStandard = field(default_factory=DesignStandard)
     safety: SafetyFactors = field(default_factory=SafetyFactors)
     sag: Sag | None = None
+    covered: bool = False

@@ -8,11 +8,12 @@ from typing import ClassVar, Protocol, Self, TypeVar
 
 from wraparc.conveyor import Conveyor
 from wraparc.drive.belt import LAYERS, THICKNESS, Belt
-from wraparc.drive.criteria import Criteria
+from wraparc.drive.criteria import Criteria, is_wet
 from wraparc.drive.lagging import Lagging
 from wraparc.drive.load_case import LoadCase, heaviest
 from wraparc.drive.pitch import centrifugal_of, layers_of, touching_cover
 from wraparc.drive.pulley import Pulley
+from wraparc.drive.read_from import ReadFrom
 from wraparc.errors import Problem, no_such, shown
 from wraparc.schema.limits import Limit, limit_problems, raise_all
 from wraparc.units import display
@@ -48,6 +49,9 @@ class Drive(Viewable):
     conveyor
         What the tensions were computed from, or None where they are given. It says where they
         came from and is no part of what makes two drives equal.
+    read_from
+        The document that it was read from, or None; as little a part of it. A drive that was
+        changed since keeps that of before.
 
     Raises
     ------
@@ -65,6 +69,7 @@ class Drive(Viewable):
     criteria: Criteria = field(default_factory=Criteria)
     description: str = ""
     conveyor: Conveyor | None = field(default=None, compare=False)
+    read_from: ReadFrom | None = field(default=None, compare=False, repr=False)
 
     def __post_init__(self) -> None:
         problems = limit_problems(self, self.LIMITS)
@@ -79,6 +84,7 @@ class Drive(Viewable):
             if case.tensions.keys() != names:
                 problems.append(_wrong_pulleys(case, names))
             problems += condition_problems(case.name, case.condition, self.pulleys)
+        problems += covered_problems(self.criteria, self.conditions, self.pulleys)
         problems += side_problems(self.belt, self.pulleys)
         problems += self._mass_problems()
         for pulley in self.pulleys:
@@ -291,6 +297,20 @@ def condition_problems(case: str, condition: str, pulleys: Iterable[Pulley]) -> 
         for p in pulleys
         if condition and condition not in (lagging.condition for lagging in p.conditions)
     ]
+
+
+def covered_problems(
+    criteria: Criteria, conditions: Iterable[str], pulleys: Iterable[Pulley]
+) -> list[Problem]:
+    """Return a problem if a drive that never runs wet has a wet condition."""
+    laggings = (lagging for p in pulleys for lagging in (p.lagging, *p.conditions))
+    every = (*conditions, *(lagging.condition for lagging in laggings))
+    wet = next(filter(is_wet, every), "")
+    if not (criteria.covered and wet):
+        return []
+    message = f"a covered drive never runs wet, and condition {shown(wet)} is given"
+    remedy = "Leave out covered or the condition."
+    return [Problem(key="covered", value="true", message=message, remedy=remedy)]
 
 
 def repeated(key: str, names: Iterable[str]) -> list[Problem]:

@@ -25,6 +25,7 @@ from wraparc.schema.kinds import (
     ByName,
     Choice,
     Elsewhere,
+    Flag,
     Name,
     OneOrMore,
     Quantity,
@@ -221,6 +222,12 @@ CRITERIA = (
         attribute="safety",
     ),
     Entry("sag", "Not looked at if left out.", SAG, title="Belt sag"),
+    Entry(
+        "covered",
+        "Whether the drive never runs wet: its creep when wet is then not estimated; false if left "
+        "out.",
+        Flag(),
+    ),
 )
 
 DRIVE = Table(

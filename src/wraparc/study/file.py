@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -13,7 +14,8 @@ from wraparc import catalogue
 from wraparc.batch import BatchResult, Setting
 from wraparc.batch.arcs import COLUMNS
 from wraparc.checks import before
-from wraparc.checks.of_data import wet_factor
+from wraparc.checks.of_wet import estimate_factor
+from wraparc.checks.rule import At
 from wraparc.drive import DESIGN, Drive, Lagging
 from wraparc.errors import InputError, nearest
 from wraparc.files.drive_file import overridden
@@ -226,16 +228,15 @@ def _left_out(drive: Drive, loads: Sequence[str]) -> Iterator[str]:
 def _ground(
     drive: Drive, pulley: str, loads: Sequence[str], conditions: Sequence[Condition]
 ) -> str:
-    """Return what limits an OK: one load case of several, dry only, and the data it stands on."""
+    """Return what limits an OK: some load cases, unknown wet friction, and weak data."""
     of = drive.pulley(pulley)
-    dry = not conditions and all(
-        wet_factor(of.lagging_in(case.condition)) != 0.0 for case in drive.load_cases
-    )
+    spots = (At(drive=drive, case=drive.load_case(name), pulley=of) for name in loads)
+    dry = not conditions and any(math.isnan(estimate_factor(at)) for at in spots)
     some = f"load case {', '.join(loads)} only" if [*_left_out(drive, loads)] else ""
     known = before(drive)
     against = any(c.name == "take_up" for c in known.checks)
     take_up = "with tensions that its take-up does not hold" if against else ""
-    parts = ("dry only" if dry else "", some, take_up, known.qualifier)
+    parts = ("wet not checked" if dry else "", some, take_up, known.qualifier)
     return ", ".join(part for part in parts if part)
 
 

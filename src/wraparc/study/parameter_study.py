@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field, fields, replace
 from typing import Any, Protocol
 
 import numpy as np
@@ -268,6 +268,7 @@ class Study:
         factor = rows.friction_factor
         if condition is not None:
             factor = factor * condition.factor(values, size)
+            rows = replace(rows, held=replace(rows.held, wet_factor=np.zeros(size)))
         good = np.flatnonzero(rows.valid)
         solved = self._solved(rows, good, factor, progress)
         columns: Columns = {}

@@ -20,12 +20,13 @@ from wraparc.drive import (
     Limit,
     LoadCase,
     Pulley,
+    ReadFrom,
     Tensions,
     condition_problems,
     laggings_of,
     repeated,
 )
-from wraparc.drive.drive import flying_problems, named, side_problems
+from wraparc.drive.drive import covered_problems, flying_problems, named, side_problems
 from wraparc.drive.load_case import heaviest
 from wraparc.errors import Problem, shown
 from wraparc.schema.limits import limit_problems, name_problems, raise_all
@@ -173,6 +174,8 @@ class Train:
         Largest creep accepted at the exit of a pulley [m].
     criteria
         What the train is held against, as in `Drive`.
+    read_from
+        As in `Drive`.
 
     Raises
     ------
@@ -190,6 +193,7 @@ class Train:
     nominal_diameters: tuple[float, ...] = ()
     creep_limit: float = CREEP_LIMIT
     criteria: Criteria = field(default_factory=Criteria)
+    read_from: ReadFrom | None = field(default=None, compare=False, repr=False)
 
     def __post_init__(self) -> None:
         problems = limit_problems(self, self.LIMITS)
@@ -215,6 +219,7 @@ class Train:
             least = min(case.entry_tension, case.exit_tension)
             problems += flying_problems(self.belt, f"load_case.{case.name}", least)
         problems += side_problems(self.belt, self.pulleys)
+        problems += covered_problems(self.criteria, self.conditions, self.pulleys)
         raise_all(problems)
 
     @classmethod
@@ -232,6 +237,7 @@ class Train:
             cases=tuple(_case_of(drive, case) for case in drive.load_cases),
             creep_limit=drive.creep_limit,
             criteria=drive.criteria,
+            read_from=drive.read_from,
         )
 
     @property

@@ -28,7 +28,7 @@ from wraparc.arc.summary import (
     summary_of,
     too_steep,
 )
-from wraparc.checks.least_numbers import Pull, least_for_slip
+from wraparc.checks.least_numbers import Pull, least_for_creep, least_for_slip
 from wraparc.checks.numbers import (
     idles,
     largest,
@@ -40,6 +40,7 @@ from wraparc.checks.sliding import (
     lift_for_safety,
     pull_at_sliding,
     wet_creep,
+    with_friction,
 )
 from wraparc.drive.load_case import (
     LEAST_TENSION,
@@ -186,7 +187,7 @@ class Criteria(NamedTuple):
     cover: float  # compliance of a cover that the slip of the law may hold or not [m/Pa]
     strength: float  # breaking strength of the belt, nan if not known [N]
     pulley_mass: float  # nan if not known [kg]
-    wet: float  # what wet leaves of dry friction, nan if not known; 0 where it is not dry [-]
+    wet: float  # wet friction over dry friction, nan if not known; 0 for no estimate [-]
 
 
 class Found(NamedTuple):
@@ -199,6 +200,8 @@ class Found(NamedTuple):
     cause: int
     lift: float  # of all tensions, for the safety factor [N]
     least_for_slip: float  # slack-side tension that keeps the slip within the tests [N]
+    least_when_covered: float  # that for the creep with the cover in series [N]
+    least_when_wet: float  # that for the creep when wet [N]
     largest_slip: float  # [m]
     slip_speed: float  # [m/s]
     covered_creep: float  # with the cover in series, see `ArcResult` [m]
@@ -227,10 +230,16 @@ def judged(
     sliding = pull_at_sliding(loaded, line, begin)
     if sliding.place != sliding.place:
         return None
-    by_slip = nan
-    if load.slip_max < given.creep_limit:
-        top = highest_tight(load.pressure_max, arc.width * (0.5 * arc.diameter), tight)
-        pull = Pull(abs(entry - leaving), tight, top)
+    by_slip = covered = when_wet = nan
+    top = highest_tight(load.pressure_max, arc.width * (0.5 * arc.diameter), tight)
+    pull, limit = Pull(abs(entry - leaving), tight, top), given.creep_limit
+    if criteria.cover != 0.0:
+        series = geometry._replace(shear=geometry.shear + criteria.cover)
+        covered = least_for_creep(law, series, pull, limit) + arc.centrifugal
+    if criteria.wet > 0.0:
+        wetted = with_friction(geometry, criteria.wet)
+        when_wet = least_for_creep(law, wetted, pull, limit) + arc.centrifugal
+    if load.slip_max < limit:
         by_slip = least_for_slip(law, geometry, pull, load.slip_max) + arc.centrifugal
     steep = steepest(profile.position, profile.slip, count, pitch, pitch * arc.wrap_angle)
     return Found(
@@ -241,6 +250,8 @@ def judged(
         cause=sliding.cause,
         lift=lift_for_safety(loaded, criteria.safety, criteria.tight_rise, begin),
         least_for_slip=by_slip,
+        least_when_covered=covered,
+        least_when_wet=when_wet,
         largest_slip=largest(profile.slip, count),
         slip_speed=arc.belt_speed * steep,
         covered_creep=covered_creep(law, given, criteria.cover),

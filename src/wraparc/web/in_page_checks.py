@@ -16,8 +16,9 @@ from wraparc.arc import ArcResult, Capacities, DriveResult, Energy, Status, Wrap
 from wraparc.checks.check import Check, Level, Verdict
 from wraparc.checks.gross_slip import Rise, rises
 from wraparc.checks.of_arc import INTERVAL
-from wraparc.checks.of_data import WEAK_KINDS, law_words, weak_sources, wet_factor
-from wraparc.checks.rule import Spot, idle
+from wraparc.checks.of_data import WEAK_KINDS, law_words, weak_sources
+from wraparc.checks.of_wet import estimate_factor
+from wraparc.checks.rule import At, Spot, idle
 from wraparc.checks.sliding import Sliding
 from wraparc.drive import Drive
 from wraparc.train import Train, TrainCase
@@ -95,6 +96,7 @@ def criteria_of(drive: Drive, arcs: Sequence[WrapArc], index: int) -> Criteria:
     """Return what the checks ask of the grip of one of the arcs of a load case."""
     arc = arcs[index]
     case, pulley = drive.load_case(arc.load_case), drive.pulley(arc.pulley)
+    conditioned = drive.in_case(case)
     rise = rises(arcs, index, drive.criteria.take_up)
     return Criteria(
         safety=drive.criteria.safety.of(case.kind),
@@ -103,7 +105,9 @@ def criteria_of(drive: Drive, arcs: Sequence[WrapArc], index: int) -> Criteria:
         cover=arc.cover_left_out,
         strength=_known(drive.belt.breaking_strength) * arc.width,
         pulley_mass=_known(pulley.mass),
-        wet=wet_factor(pulley.lagging_in(case.condition)),
+        wet=estimate_factor(
+            At(drive=conditioned, case=case, pulley=conditioned.pulley(pulley.name))
+        ),
     )
 
 
@@ -204,6 +208,21 @@ def lift(result: FoundArc, _factor: float, _tight_rise: float) -> float:
 def least_with_slip(result: FoundArc, _limit: float) -> float:
     """Return the least slack-side tension with which the slip keeps the end of the tests [N]."""
     return result.found.least_for_slip
+
+
+def least_when_covered(result: FoundArc) -> float:
+    """Return the least slack-side tension for the creep with the cover in series [N]."""
+    return result.found.least_when_covered
+
+
+def least_when_wet(result: FoundArc, factor: float) -> float:
+    """Return the least slack-side tension for the creep when wet [N]; nan without a factor."""
+    return result.found.least_when_wet if factor > 0.0 else nan
+
+
+def least_by_interval(_result: FoundArc) -> float:
+    """Return nan: the page does not find the interval."""
+    return nan
 
 
 def wet(result: FoundArc, _factor: float) -> float:

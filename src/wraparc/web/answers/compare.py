@@ -352,7 +352,7 @@ def _meaning(key: str) -> str:
     names = {"creep": "exit_creep", "margin": "creep_limit_margin", "of_limit": "creep_limit"}
     names |= {"outside": "outside_tested_share"}
     if key == "least_slack":
-        return "Least slack-side tension with which every binding check is kept in every load case."
+        return "Least slack-side tension with which every check that it helps passes."
     entry = GLOSSARY.get(names.get(key, key))
     return entry.meaning if entry else ""
 

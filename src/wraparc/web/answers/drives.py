@@ -121,7 +121,7 @@ class Marks(Answer):
 
 
 class LeastTension(Answer):
-    """The least slack-side tension with which every binding check is kept [N], [kg].
+    """The least slack-side tension with which every check that it helps passes [N], [kg].
 
     `raise_to` is that tension where it is more than given.
     """

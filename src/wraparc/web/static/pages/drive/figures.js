@@ -60,7 +60,7 @@ function lateFigures(arc) {
         small:
           words(found.shown) === "none"
             ? "no tension keeps every check"
-            : "every binding check kept",
+            : "every check passes that it helps",
         level: found.level,
       }
     : { value: "–", small: idle ? "no pull to carry" : "" };
