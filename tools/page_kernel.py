@@ -198,8 +198,9 @@ OF_CHECKS: dict[Any, Any] = {
 }
 #: What the page reads of verdict, checks and least tension.
 READ = {
-    "lead", "others", "word", "level", "listed", "data", "at", "within", "governing", "place",
-    "share", "reason", "bound", "texts", "tension", "raise_to", "drive_result",
+    "text", "also", "label", "level", "listed", "data", "at", "within", "governing", "place",
+    "share", "missed", "bound", "texts", "tension", "raise_to", "drive_result", "wet_text",
+    "remarks", "full", "action_text", "name",
 }  # fmt: skip
 #: What `static/documents.js` has in the place of functions that look into files.
 OF_FILES: dict[Any, str] = {

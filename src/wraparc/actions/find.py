@@ -15,10 +15,11 @@ from wraparc.actions.texts import Names, Phrase, none_text, phrase_of, sentence_
 from wraparc.actions.too_large import percent_too_large
 from wraparc.actions.variant import DIAMETER, LAGGING, RAISE, WRAP
 from wraparc.checks.action import Action, Way
-from wraparc.checks.check import Check, Level, Verdict
+from wraparc.checks.check import Check, Level
 from wraparc.checks.judge import judge
 from wraparc.checks.least_tension import least_tension
 from wraparc.checks.of_drive import allowed_tension
+from wraparc.checks.verdict import Verdict
 from wraparc.drive import Drive
 from wraparc.train import TrainResult
 from wraparc.train.whole import Whole, by_pulley
@@ -84,14 +85,7 @@ def _find(result: Whole) -> Action | None:
 
 def own_action(check: Check) -> Action | None:
     """Return what a check says itself is to be done: no number of it was tried."""
-    text = own_text(check)
-    return Action(text) if text else None
-
-
-def own_text(check: Check) -> str:
-    """Return what a check says itself is to be done."""
-    value, limit = check.texts()
-    return check.remedy.format(value=value, limit=limit)
+    return Action(check.action_text) if check.action else None
 
 
 def _evaluation(result: Whole, source: Source, task: Task) -> Evaluate:

@@ -9,9 +9,10 @@ from wraparc.actions.document import Source
 from wraparc.actions.search import Evaluate, is_allowed
 from wraparc.actions.variant import IMPOSSIBLE, Outcome, Variant
 from wraparc.arc import Distributed
-from wraparc.checks.check import Level, Verdict
+from wraparc.checks.check import Level
 from wraparc.checks.judge import judge
 from wraparc.checks.least_tension import least_tension
+from wraparc.checks.verdict import Verdict
 from wraparc.drive import Drive, Tensions
 from wraparc.errors import InputError
 from wraparc.train import Train

@@ -9,12 +9,13 @@ from typing import Any
 
 from wraparc.answer.document import json_text
 from wraparc.answer.sheet import Row, Sheet, Table, Verdict
+from wraparc.answer.verdict_data import verdict_object
 from wraparc.glossary import GLOSSARY
 from wraparc.units import DIMENSION_TEXT, RESULT_DIGITS, Cell, cell_of, in_units, placed
 from wraparc.units.cell import RANGES
 
 #: Counts up when a key goes or changes its meaning, not when one is added.
-ANSWER_FORMAT = 2
+ANSWER_FORMAT = 3
 
 Data = dict[str, Any]
 #: A text without numbers, or one with them: see `text_data`.
@@ -41,14 +42,8 @@ def answer_data(sheet: Sheet) -> Data:
 
 
 def verdict_data(told: Verdict) -> Data:
-    """Return the answer in words."""
-    return {
-        "level": told.level.value,
-        "word": told.told,
-        "headline": text_data(told.headline),
-        "action": text_data(told.action),
-        "sentences": [text_data(sentence) for sentence in told.sentences],
-    }
+    """Return a verdict, its texts with their numbers."""
+    return verdict_object(told, text_data)
 
 
 def table_data(table: Table) -> Data:

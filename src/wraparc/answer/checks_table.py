@@ -3,22 +3,25 @@
 import math
 from typing import Any
 
-from wraparc.answer.sheet import NONE, Row, Table, quantity
+from wraparc.answer.sheet import NONE, Row, Table, percent
 from wraparc.answer.sources import Sources
-from wraparc.checks import Check, Level, Verdict
+from wraparc.answer.verdict_data import place_data, verdict_object
+from wraparc.answer.words import format_verdict
+from wraparc.checks import Check, Verdict
+from wraparc.checks.action import Action
+from wraparc.units import in_units
 
-_SAME = 1e-9
 #: Checks that a short answer shows, if no more are missed.
 _NEAREST = 4
+#: Share of a limit beyond which it is told as so many times.
+_FAR = 10.0
+HEADS = ("Value", "Limit", "Used", "Status")
 #: What to know about the table.
-NOTE = (
-    "Margin: how far the value is from its limit, over the limit; positive on the safe side. Each "
-    "check is shown where it comes off worst."
-)
+NOTE = "Used: value over a maximum, or a minimum over the value. Each check at its governing place."
 
 
 def check_table(verdict: Verdict, of: Sources | None = None, title: str = "Checks") -> Table:
-    """Return each check with what was found, its limit, its margin, and where.
+    """Return each check with value, limit, how much of the limit is used, status and place.
 
     Parameters
     ----------
@@ -30,85 +33,53 @@ def check_table(verdict: Verdict, of: Sources | None = None, title: str = "Check
         Heading.
     """
     judged = [c for c in verdict.listed if c.compares]
-    rows = tuple(_row(check, of) for check in judged)
     return Table(
         title,
-        rows,
-        ("found", "limit", "margin"),
-        f"{NOTE}{_left(verdict)}",
+        tuple(_row(check, of) for check in judged),
+        HEADS,
+        f"{NOTE} {_left(verdict)}".rstrip(),
         name="checks",
         short=_nearest(verdict, title),
-        brief=f"{f'{_counted(verdict)}. ' if verdict.missed else ''}{_unchecked(verdict)}".strip(),
+        brief=_left(verdict),
     )
 
 
 def _nearest(verdict: Verdict, title: str) -> Table:
     """Return the checks that are missed, and the nearest to their limits of the others."""
-    told = [c for c in verdict.listed if c.compares and (c.missed or math.isfinite(c.margin))]
-    told = sorted((c for c in told if not c.below), key=verdict.nearness)
-    rows = (
-        Row(c.title, (c.texts()[0] or NONE, c.bound() or NONE), "", str(c.level))
-        for c in told[: max(_NEAREST, len(verdict.missed))]
-    )
-    return Table(title, tuple(rows), ("found", "limit"), name="checks")
+    told = [c for c in verdict.listed if c.compares and (c.missed or math.isfinite(c.used))]
+    told = sorted((c for c in told if not c.below), key=lambda check: check.order)
+    rows = tuple(_row(c, None) for c in told[: max(_NEAREST, len(verdict.missed))])
+    return Table(title, rows, HEADS, name="checks")
 
 
 def _row(check: Check, of: Sources | None) -> Row:
-    found, _ = check.texts()
-    values = (found or NONE, check.bound() or NONE, margin_text(check))
+    value, _ = check.texts()
+    values = (value or NONE, check.bound() or NONE, used_text(check), str(check.level))
     number = "" if of is None else of.number(check.source)
     note = " ".join(part for part in (str(check.place), number) if part)
-    return Row(check.title, values, note=note, level=check.level)
+    return Row(check.title, values, note=note, name=check.name, level=check.level)
 
 
 def _left(verdict: Verdict) -> str:
-    """Say what was not checked, and why."""
-    left = [c for c in verdict.listed if c.level is Level.NOT_CHECKED]
-    told = (f"{c.title[:1].lower()}{c.title[1:]} ({_why(c)})" for c in left)
-    return f" Not checked: {'; '.join(told)}." if left else ""
+    """Return what was not checked, each with the key that is missing or the reason."""
+    left = [c for c in verdict.not_checked if c.name != "wet_creep"]
+    named = ", ".join(f"{c.noun or c.title} ({c.missing or c.why})" for c in left)
+    return f"Not checked  {named}." if named else ""
 
 
-def _why(check: Check) -> str:
-    found, _ = check.texts()
-    return f"{check.short}; here it is {found}" if found else check.short
-
-
-def margin_text(check: Check) -> str:
-    """Return a margin as percent with its sign; what is far from its limit as so many times it."""
-    margin = check.margin
-    if check.below:
-        return NONE
-    if not math.isnan(check.times):
-        return f"{quantity(check.times, 'number')} times the limit"
-    if not math.isfinite(margin):
-        return NONE
-    if 0.9995 <= margin < 1.0 - _SAME:
-        return "> +99.9 %"
-    if abs(margin) < _SAME:
-        return "0 %"
-    return f"{100.0 * margin:+.3g} %"
+def used_text(check: Check) -> str:
+    """Return how much of its limit a check uses."""
+    used = check.used
+    if used > _FAR - 1e-3:
+        return f"> {_FAR:g} times"
+    return percent(used) if math.isfinite(used) else NONE
 
 
 def checks_summary(verdict: Verdict) -> str:
     """Return how the checks end, in one sentence."""
-    missed = "; ".join(f"{c.level}: {c.title}" for c in verdict.missed)
-    left = ", ".join(c.title for c in verdict.listed if c.level is Level.NOT_CHECKED)
-    left = f" Not checked for want of data: {left}." if left else ""
-    return f"{_counted(verdict)}.{f' {missed}.' if missed else ''}{left}"
-
-
-def _counted(verdict: Verdict) -> str:
-    judged = [c for c in verdict.listed if c.compares]
-    return f"{sum(not c.missed for c in judged)} of {len(judged)} checks are kept"
-
-
-def _unchecked(verdict: Verdict) -> str:
-    left = [c.title for c in verdict.listed if c.level is Level.NOT_CHECKED]
-    heads = [title.partition(",")[0] for title in left]
-    told = (
-        head if heads.count(head) > 1 else title for head, title in zip(heads, left, strict=True)
-    )
-    return f"Not checked: {'; '.join(dict.fromkeys(told))}." if left else ""
+    count = sum(c.compares for c in verdict.listed)
+    left = _left(verdict)
+    return f"{verdict.passed} of {count} checks pass.{f' {left}' if left else ''}"
 
 
 def check_data(check: Check) -> dict[str, Any]:
@@ -119,26 +90,25 @@ def check_data(check: Check) -> dict[str, Any]:
         "level": check.level.value,
         "pulley": check.place.pulley,
         "load_case": check.place.load_case,
+        "place": place_data(check.place),
         "value": check.value,
         "limit": check.limit,
         "floor": check.floor,
         "dimension": check.dimension,
         "at_most": check.at_most,
         "margin": check.margin,
+        "used": check.used,
+        "relation": check.relation,
         "source": check.source,
         "binding": check.binding,
-        "sentence": check.sentence(),
+        "text": in_units(check.text),
+        "full": in_units(check.full_text),
     }
 
 
-def verdict_document(verdict: Verdict) -> dict[str, Any]:
-    """Return a verdict as plain data: its word, the check that governs, every check once."""
-    governing = verdict.governing
+def verdict_document(verdict: Verdict, action: Action | None = None) -> dict[str, Any]:
+    """Return a verdict as plain data in SI, see `verdict_object`, and every check once."""
     return {
-        "level": verdict.level.value,
-        "word": verdict.word,
-        "headline": verdict.headline(),
-        "sentences": list(verdict.sentences()),
-        "governing": None if governing is None else check_data(governing),
+        **verdict_object(format_verdict(verdict, verdict.full, action), in_units),
         "checks": [check_data(check) for check in verdict.listed],
     }

@@ -34,8 +34,9 @@ from wraparc.answer.sheet import (
     quantity,
     weak_sources,
 )
+from wraparc.answer.words import format_verdict, under
 from wraparc.checks import Level
-from wraparc.checks.check import placed
+from wraparc.checks.action import Action
 from wraparc.choose.across import MOST, is_uneven
 from wraparc.choose.belt_rating import LighterBelt
 from wraparc.choose.selection import Selection
@@ -77,7 +78,7 @@ def choose_sheet(
         tables=tuple(t for t in tables if t.rows),
         remarks=remarks,
         sources=sources,
-        kept=(*remarks, *(() if told.word else weak_sources(sources))),
+        kept=(*remarks, *(() if told.label else weak_sources(sources))),
     )
 
 
@@ -98,14 +99,15 @@ def _verdict(selection: Selection, lighter: LighterBelt | None) -> Verdict:
         action = f"Add candidates against what is broken most, {most.replace('_', ' ')}."
         return Verdict(
             Level.FAILS,
-            f"No candidate keeps every limit. {action}",
+            "No candidate keeps every limit.",
             (
                 f"Limits broken: {told}.",
                 f"Nearest: {design_name(selection, near)}: "
                 + "; ".join(reason(selection, near, n) for n in names)
                 + ".",
             ),
-            action=action,
+            action=Action(action),
+            name="choose",
         )
     best = int(selection.ranking[0])
     currency, years = selection.search.costing.currency, selection.search.costing.years
@@ -140,20 +142,24 @@ def _verdict(selection: Selection, lighter: LighterBelt | None) -> Verdict:
             "tension "
             f"{tight} of a rated {named('belt_modulus', lighter.belt.rating or 0.0)}{allowed}."
         )
-    here = ("", selection.search.pulley)
-    said = [c.said if c.place.pulley in here else placed(c) for c in judged.missed]
     action = " ".join(_other_search(selection))
-    headline = " ".join(filter(None, [headline, *said[:1], action]))
-    sentences += said[1:]
     level = Level.ATTENTION if below or silent else Level.OK
     level = max(level, judged.level, key=lambda of: of.rank)
     lagging = selection.search.laggings[selection.grid.places[0, best]]
     kind = lagging.source_of("law").kind
     ground = ""
     if level is Level.OK:
-        ground = judged.ok_word
+        ground = judged.label
         ground += f", on {kind} data" if kind in WEAK else ""
-    return Verdict(level, headline, tuple(sentences), ground, action)
+    own = Verdict(
+        level,
+        headline,
+        tuple(sentences),
+        ground,
+        Action(action) if action else None,
+        name="choose",
+    )
+    return under(own, format_verdict(judged))
 
 
 def _other_search(selection: Selection) -> Iterator[str]:

@@ -221,4 +221,4 @@ def next_dearer_words(selection: Selection) -> Iterator[str]:
 def _but(selection: Selection, design: int) -> str:
     """Return what a design misses that is spoken of beside the recommended one; else nothing."""
     worst = selection.judged(design).governing
-    return "" if worst is None or not worst.missed else f"; it is {worst.short}: {worst.level}"
+    return "" if worst is None or not worst.missed else f"; {worst.level}: {worst.label}"

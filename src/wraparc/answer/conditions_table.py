@@ -11,12 +11,12 @@ from wraparc.answer.sheet import NONE, Row, Table
 from wraparc.arc import DriveResult
 from wraparc.checks import Check, Level, Verdict, judge
 from wraparc.checks.least_tension import least_of
-from wraparc.units import distinct
+from wraparc.units import distinct, in_units
 
 if TYPE_CHECKING:
     from wraparc.train.whole import Whole
 
-_NOTE = "Each check at the load case and pulley where it comes off worst in that condition."
+_NOTE = "Each check at its governing place in that condition."
 
 
 def by_condition(result: DriveResult) -> dict[str, DriveResult]:
@@ -46,14 +46,14 @@ def conditions_table(result: DriveResult, whole: Whole) -> Table:
     names: dict[str, None] = {}
     for verdict in judged.values():
         names |= dict.fromkeys(c.name for c in verdict.listed if _told(c))
-    words = tuple(verdict.word for verdict in judged.values())
+    words = tuple(verdict.label for verdict in judged.values())
     rows = [Row("Verdict", words)]
     rows += [_row(name, tuple(judged.values())) for name in names]
     rows.append(
         Row("Equivalent friction at the creep limit", tuple(map(_friction, parts.values())))
     )
     rows.append(
-        Row(f"Least {least_name(result)}", tuple(_least(p, result) for p in parts.values()))
+        Row(f"Minimum {least_name(result)}", tuple(_least(p, result) for p in parts.values()))
     )
     return Table("Conditions side by side", tuple(rows), tuple(parts), _NOTE, "conditions")
 
@@ -67,8 +67,8 @@ def conditions_data(result: DriveResult, whole: Whole) -> list[dict[str, Any]]:
             {
                 "condition": name,
                 "level": verdict.level.value,
-                "word": verdict.word,
-                "headline": verdict.headline(),
+                "label": verdict.label,
+                "text": in_units(verdict.text),
                 "load_cases": [case.name for case in part.drive.load_cases],
                 "checks": {c.name: c.value for c in verdict.listed if _told(c)},
                 "least_tension": None if least is None else least.tension,

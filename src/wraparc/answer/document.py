@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from wraparc.actions import find_action
 from wraparc.answer.checks_table import check_data, verdict_document
 from wraparc.answer.conditions_table import conditions_data
 from wraparc.answer.conveyor_table import conveyor_data
@@ -29,7 +30,7 @@ if TYPE_CHECKING:
     from wraparc.train.whole import Whole
 
 #: Counts up when a name goes or changes its meaning, not when one is added.
-DOCUMENT_FORMAT = 1
+DOCUMENT_FORMAT = 2
 
 _PYTHON = ".".join(map(str, sys.version_info[:3]))
 
@@ -73,9 +74,9 @@ def result_document(
         "solved": results[0].solved,
         "within_creep_limit": results[0].within_creep_limit,
         "governing": _place(results[0].governing),
-        "verdict": verdict_document(told),
+        "verdict": verdict_document(told, find_action(whole)),
         "least_tension": least_data(whole),
-        "remarks": list(told.data),
+        "remarks": list(told.remarks),
         "arcs": arcs,
         **({"across": uneven} if uneven else {}),
         "sources": sources_of(drive),

@@ -34,9 +34,17 @@ from wraparc.answer.sheet import (
 )
 from wraparc.answer.sources import Sources
 from wraparc.answer.wear_table import life_table, wear_table
-from wraparc.answer.words import alone_of, level_of, short, verdict
+from wraparc.answer.words import (
+    alone_of,
+    format_verdict,
+    level_of,
+    short,
+    stated_action,
+    under,
+    verdict,
+)
 from wraparc.arc import ArcResult, DriveResult, WrapArc
-from wraparc.checks import before, judge, least_tension
+from wraparc.checks import Level, before, judge, least_tension
 from wraparc.drive import CREEP_LIMIT, Drive
 from wraparc.drive.load_case import Resultant, resultant
 from wraparc.train import Train, TrainResult
@@ -83,7 +91,8 @@ def drive_sheet(
         subtitle=first.drive.description,
         verdict=with_sides(verdict(first), results),
         tables=tuple(tables),
-        remarks=(*judge(first).data, *method_remarks(results)),
+        remarks=(*judge(first).remarks, *method_remarks(results)),
+        kept=tuple(method_remarks(results)),
         sources=of.listed(),
     )
 
@@ -117,24 +126,25 @@ def input_sheet(drive: Drive) -> Sheet:
     of = Sources()
     inputs = input_tables(drive_inputs(drive), of)
     tables = (*conveyor_tables(drive, of), *inputs)
-    return read_sheet(drive, "The drive file", tables, of)
+    return read_sheet(drive, tables, of)
 
 
-def read_sheet(of: Drive | Train, what: str, inputs: Sequence[Table], sources: Sources) -> Sheet:
+def read_sheet(of: Drive | Train, inputs: Sequence[Table], sources: Sources) -> Sheet:
     """Return what was read, below what needs no solving to be judged."""
     cases = of.load_cases if isinstance(of, Drive) else of.cases
     counted = f"{len(of.pulleys)} {'pulley' if len(of.pulleys) == 1 else 'pulleys'}, "
-    counted += f"load cases: {', '.join(case.name for case in cases)}."
+    counted += f"{len(cases)} load {'case' if len(cases) == 1 else 'cases'}."
     judged = before(of)
-    headline = f"{what} is in order: {counted}"
-    said = judged.others
-    told = Verdict(judged.level, headline, said, judged.word, kept=said)
-    if judged.missed:
-        told = replace(told, headline=f"{told.headline} {judged.lead}")
-    found = check_table(judged, sources, "Checks before anything is solved")
+    own = Verdict(Level.OK, f"Drive file valid: {counted}", (), str(Level.OK), name="check")
+    implausible = sum(c.name == "usual_sizes" and c.missed for c in judged.checks)
+    if implausible:
+        inputs_ = "1 input" if implausible == 1 else f"{implausible} inputs"
+        own = replace(own, level=Level.ATTENTION, text=f"Drive file valid, {inputs_} implausible.")
+    told = under(own, format_verdict(judged, judged.full, stated_action(judged)))
+    found = check_table(judged, sources, "Checks before solving")
     title = of.title or ("Drive" if isinstance(of, Drive) else "Train")
     about = "" if isinstance(of, Drive) else of.description
-    return Sheet(title, about, told, (found, *inputs), judged.data, sources.listed())
+    return Sheet(title, about, told, (found, *inputs), judged.remarks, sources.listed(), kept=())
 
 
 def arc_sheet(result: ArcResult) -> Sheet:
@@ -186,7 +196,7 @@ def summary_table(results: Sequence[DriveResult], whole: "DriveResult | TrainRes
 
     `whole` is what the pulleys of the first result are of, a drive or a train: it is judged.
     """
-    # T1 is the slack side where a pulley brakes
+    # the slack side is at T1 where a pulley brakes
     brakes = any(arc.arc.side < 0.0 for result in results for arc in result)
     heads = (
         headed("T1", "force"),
@@ -194,7 +204,7 @@ def summary_table(results: Sequence[DriveResult], whole: "DriveResult | TrainRes
         "T1/T2",
         headed("creep", "length"),
         "of limit",
-        headed("least slack" if brakes else "least T2", "force"),
+        headed("min. T1" if brakes else "min. T2", "force"),
         "",
     )
     rows = []

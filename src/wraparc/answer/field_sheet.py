@@ -6,10 +6,11 @@ from typing import Any
 
 from wraparc.answer.checks_table import verdict_document
 from wraparc.answer.sheet import NONE, Row, Sheet, Table, Verdict, percent, quantity
-from wraparc.answer.words import as_it_is, in_short, in_words
+from wraparc.answer.words import format_verdict, stated_action, under
 from wraparc.calibrate.field_numbers import TRIP_RULES, FieldNumbers
 from wraparc.checks import Level
 from wraparc.checks import Verdict as Judgement
+from wraparc.checks.action import Action
 from wraparc.checks.of_arc import COVER_UNKNOWN
 from wraparc.checks.of_drive import COVERS
 from wraparc.train.turning import surface_sentence
@@ -31,7 +32,7 @@ def field_sheet(
         return Sheet(
             title=title,
             subtitle=f"Pulley {pulley}: nothing to measure, as the belt slips on it.",
-            verdict=in_words(judged, [*judged.others]),
+            verdict=format_verdict(judged, judged.full, stated_action(judged)),
         )
     rows = [
         Row(
@@ -67,35 +68,26 @@ def field_sheet(
 
 
 def _verdict(found: FieldNumbers, judged: Judgement) -> Verdict:
-    worst, governing = found.worst, judged.governing
-    why, as_is = in_short(judged), []
-    why += " " if why else ""
-    if governing is not None and governing.missed:
-        as_is = [as_it_is(judged)]
+    worst = found.worst
     at_once, again = [*_at_once(found, worst)], _circumference(found)
     who = "A healthy drive" if found.alarm > worst else "The drive as described"
     # no level that a tachometer pair is set by is an OK without the thickness of the belt
     surface = () if found.shown else (surface_sentence(found.diameter),)
     covered = tuple(_covered(found))
     doubt = not found.shown or at_once or found.alarms_at(found.covered or found.worst_seen)
-    open_ = bool(doubt) and judged.level is Level.OK
-    reason, action = "", ""
-    if open_ and not found.shown:
-        action = COVERS
-        reason = f" The thickness of the belt, which moves these levels, is not given. {action}"
-    elif open_:
-        reason = f" {[*at_once, *covered, again][0]}"
-    return Verdict(
-        Level.ATTENTION if open_ else judged.level,
-        f"{why}{who} shows at {'most' if found.side > 0.0 else 'least'} "
-        f"{percent(found.worst_seen)} between {'shaft' if found.shown else 'drum'} and belt; alarm "
-        f"at {percent(found.seen(found.alarm, 0.0))}, trip at "
-        f"{percent(found.seen(found.trip, 0.0))}.{reason}",
-        (*as_is, *at_once, *surface, *covered, *_rules(found, worst), again),
-        "" if open_ else judged.word,
-        action,
-        kept=(*as_is, *at_once, *surface, *covered, again),
+    more = (*at_once, *surface, *covered)
+    own = Verdict(
+        Level.ATTENTION if doubt else Level.OK,
+        f"{who} shows at {'most' if found.side > 0.0 else 'least'} "
+        f"{percent(found.worst_seen)} between {'shaft' if found.shown else 'pulley'} and belt; "
+        f"alarm {percent(found.seen(found.alarm, 0.0))}, trip "
+        f"{percent(found.seen(found.trip, 0.0))}.",
+        (*more, *_rules(found, worst), again),
+        action=None if found.shown else Action(COVERS),
+        kept=(*more, again),
+        name="field",
     )
+    return under(own, format_verdict(judged, judged.full, stated_action(judged)))
 
 
 def _circumference(found: FieldNumbers) -> str:

@@ -7,34 +7,22 @@ from wraparc.answer.sheet import NONE, Row, Table, named, quantity
 from wraparc.arc import ArcResult, DriveResult
 from wraparc.checks import RULES, LeastTension, least_tension, margins_of
 from wraparc.checks.sliding import SLIDES
+from wraparc.drive import Drive
 from wraparc.train import TrainResult
 from wraparc.units import RESULT_DIGITS, Cell, in_units
 
 
 def least_sentence(result: DriveResult | TrainResult) -> str:
-    """Return the least slack-side tension in a sentence; nothing where there is none to tell."""
+    """Return the minimum slack-side tension in a sentence; nothing where there is none."""
     found = least_tension(result)
     if found is None:
         return ""
-    least, given = at_least(found.tension), named("tension", found.given)
-    governs = found.governing
-    why = RULES[governs.name].what
     if math.isinf(found.tension):
         return _none(found, result)
-    what = least_name(result)
-    as_now = ", the load divided as it is," if divides_anew(result) else ""
-    described = result.drive if isinstance(result, DriveResult) else result.train
-    if any(pulley.across for pulley in described.pulleys):
-        as_now += ", were the pulley even,"
-    text = (
-        f"The least {what} with which every check that it helps passes{as_now} is {least}, set by "
-        f"{why} ({governs.place}); given {given}"
-    )
-    standard = found.standard
-    if standard is not None and found.tension < standard.tension * (1.0 - 1e-9):
-        asked = at_least(standard.tension)
-        text += f"; that is below the {asked} that {standard.title} asks for"
-    return f"{text}."
+    governs = found.governing
+    where = ", ".join(part for part in (governs.title, str(governs.place)) if part)
+    now = named("tension", found.given)
+    return f"Minimum {least_name(result)} {at_least(found.tension)} ({where}); now {now}."
 
 
 def at_least(tension: float) -> str:
@@ -53,65 +41,61 @@ def divides_anew(result: DriveResult | TrainResult) -> bool:
 
 
 def _none(found: LeastTension, result: DriveResult | TrainResult) -> str:
-    governs, top = found.governing, found.highest
+    governs, top, name = found.governing, found.highest, least_name(result)
     if math.isinf(governs.tension) and governs.name == "design_standard":
-        return (
-            f"No {least_name(result)} keeps every binding check: {governs.title} cannot be applied "
-            f"({governs.place})."
-        )
+        return f"No {name} passes: {governs.title} does not apply{governs.place.bracket}."
     if math.isinf(governs.tension) or top is None:
         return (
-            f"No {least_name(result)} with wrap pressures in the tested range keeps "
-            f"{RULES[governs.name].what} ({governs.place})."
+            f"No {name} in the tested pressure range meets {RULES[governs.name].what}"
+            f"{governs.place.bracket}."
         )
-    asked, most = at_least(governs.tension), at_most(top.tension)
     return (
-        f"No {least_name(result)} keeps every binding check: "
-        f"{RULES[governs.name].what} asks for {asked} "
-        f"({governs.place}), and {RULES[top.name].what} allows {most} ({top.place})."
+        f"No {name} passes: {governs.title} needs {at_least(governs.tension)}, "
+        f"{top.title} allows {at_most(top.tension)}."
     )
 
 
 def least_table(result: DriveResult | TrainResult) -> Table | None:
-    """Return what each check asks of the slack side; None where nothing is pulled."""
+    """Return what each check requires of the slack side; None where nothing is transmitted."""
     found = least_tension(result)
     if found is None:
         return None
-    rows, place = [], _place(result)
+    rows, name = [], least_name(result)
     if not math.isinf(found.tension):
         weight = Cell(found.counterweight, "mass", RESULT_DIGITS, "up")
-        given = f"given {named('tension', found.given)}"
+        now = f"now {named('tension', found.given)}"
         least = at_least(found.tension)
-        symbol = "" if place else "T2_min"
-        rows.append(Row(f"Least {least_name(result)}", (least,), symbol, given))
-        rows.append(Row("Counterweight for it", (weight,), "", "if the take-up is a weight"))
+        symbol = "T2_min" if name == "T2" else ""
+        rows.append(Row(f"Minimum {name}", (least, "", now), symbol, name="minimum_tension"))
+        status = "if the take-up is a weight"
+        rows.append(Row("Counterweight", (weight, "", status), name="counterweight"))
     for figure in sorted(found.figures, key=lambda f: (not f.at_least, -f.tension)):
-        bound = "at least" if figure.at_least else "at most"
-        shown = at_least if figure.at_least else at_most
-        text = "none" if math.isinf(figure.tension) else shown(figure.tension)
+        text = at_least(figure.tension) if figure.at_least else f"max {at_most(figure.tension)}"
+        text = "none" if math.isinf(figure.tension) else text
         counts = figure in found.required or not figure.at_least
-        note = "" if counts else "not counted, as no tension keeps all"
-        note = "governs" if figure is found.governing else note
-        note = ", ".join(part for part in (note, str(figure.place)) if part)
-        rows.append(Row(f"{figure.title}, {bound}", (text,), "", note))
-    where = place or "of the slack side behind the drives"
-    note = f"Tension {where} with which each check is kept, every pulley pulling as it does."
-    return Table(f"Least {least_name(result)}", tuple(rows), note=note, name="least")
-
-
-def _place(result: DriveResult | TrainResult) -> str:
-    one = result.drive_result() if isinstance(result, TrainResult) else result
-    return one.drive.take_up_place
+        status = "" if counts else "not counted: no tension passes"
+        status = "governs" if figure is found.governing else status
+        rows.append(Row(figure.title, (text, str(figure.place), status), name=figure.name))
+    heads = (f"Minimum {name}", "Place", "Status")
+    return Table(f"Minimum {name} by check", tuple(rows), heads, name="least")
 
 
 def least_name(result: DriveResult | TrainResult) -> str:
-    """Return the name of the tension that the take-up holds, after "Least"."""
-    return tension_at(_place(result))
+    """Return the name of the tension at the take-up, after "Minimum"."""
+    one = result.drive_result() if isinstance(result, TrainResult) else result
+    return tension_at(one.drive.take_up_place) if one.drive.take_up_place else slack_name(one.drive)
+
+
+def slack_name(drive: Drive) -> str:
+    """Return the name of the tension of the slack side behind the drives."""
+    case = drive.load_case()
+    driving = drive.slack_end(case) == case.tensions[drive.pulleys[-1].name].exit
+    return "T2" if driving else "slack-side tension T1"
 
 
 def tension_at(place: str) -> str:
     """Return the name of the tension at a `Drive.take_up_place`."""
-    return f"tension {place}" if place else "slack-side tension"
+    return f"tension {place}" if place else "T2"
 
 
 def margins_table(result: DriveResult, arc: ArcResult) -> Table | None:
@@ -121,22 +105,22 @@ def margins_table(result: DriveResult, arc: ArcResult) -> Table | None:
     if math.isnan(arc.capacities.gross_slip_capacity):
         return None
     found, take_up = margins_of(result, arc), result.drive.criteria.take_up
-    said = "" if take_up.kind else ", as no take-up is given"
+    assumed = "" if take_up.kind else ", assumed"
     rows, after = [], take_up.after
-    where = f"Tension behind pulley {after}" if after else "Slack side"
+    where = f"Tension behind {after}" if after else "T2"
     for title, value, own in (
-        (f"{where} held (gravity take-up, winch)", found.slack_held, not take_up.fixed),
-        ("Sum of both sides held (fixed take-up)", found.both_held, take_up.fixed),
-        ("Tight side held", found.tight_held, False),
+        (f"{where} constant (gravity take-up, winch)", found.slack_held, not take_up.fixed),
+        ("T1 + T2 constant (fixed take-up)", found.both_held, take_up.fixed),
+        ("T1 constant", found.tight_held, False),
     ):
-        text = "never" if math.isinf(value) else f"{quantity(value, 'number')} times the pull"
-        rows.append(Row(title, (text,), note=f"this drive{said}" if own else ""))
+        text = "none" if math.isinf(value) else f"{quantity(value, 'number')} times Te"
+        rows.append(Row(title, (text,), note=f"this drive{assumed}" if own else ""))
     slides = quantity(SLIDES, "length")
     note = (
-        f"Pull at which the belt slides: a creep of {slides}, the end of the tested slip or the "
-        "largest friction, whichever comes first."
+        f"Te at gross slip: a creep of {slides}, the end of the tested slip or the whole friction, "
+        "whichever comes first."
     )
-    return Table("Margin to gross slip", tuple(rows), note=note, name="margins")
+    return Table("Gross-slip safety", tuple(rows), note=note, name="margins")
 
 
 def least_data(result: DriveResult | TrainResult) -> dict[str, Any] | None:

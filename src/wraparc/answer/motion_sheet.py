@@ -4,16 +4,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from functools import lru_cache
 from typing import Any
 
 from wraparc.alike import largest, least
 from wraparc.answer.checks_table import check_table
 from wraparc.answer.sheet import NONE, Row, Sheet, Table, Verdict, named, percent, quantity, term
-from wraparc.answer.words import in_words, told_twice, under
+from wraparc.answer.words import format_verdict, stated_action, under
 from wraparc.checks import Level, judge, judge_run
 from wraparc.checks import Verdict as Judgement
+from wraparc.checks.action import Action
 from wraparc.checks.of_run import otherwise
 from wraparc.drive.pitch import pitch_offset
 from wraparc.motion.result import RunResult
@@ -29,19 +30,15 @@ _CALM = 0.02
 def run_sheet(run: RunResult) -> Sheet:
     """Return the answer of a run: the worst check first, then the numbers of every drum."""
     told = judge_run(run)
-    first, (peaks, *others) = told.others, _run_sentences(run)
-    kept = [s for s in first if s not in told_twice(told)]
+    peaks, *others = _run_sentences(run)
+    own = format_verdict(told, [*told.full, peaks, *others], stated_action(told))
     return Sheet(
         title=f"{run.station.train.title or 'Drive'}: {run.event.name}",
         subtitle=f"{run.steps} steps of {quantity(run.step, 'time')}, "
         f"{quantity(float(run.time[-1]), 'time')} followed",
-        verdict=under(
-            in_words(told, [*first, peaks, *others], [*kept, *others]),
-            _steady(run.station.train),
-            "Steady",
-        ),
+        verdict=under(replace(own, kept=tuple(others)), format_verdict(_steady(run.station.train))),
         tables=(*run_tables(run), check_table(told)),
-        remarks=(*told.data, *_LEFT_OUT, *_surface(run.station.train)),
+        remarks=(*told.remarks, *_LEFT_OUT, *_surface(run.station.train)),
         sources=(run.station.source,) if run.station.source else (),
     )
 
@@ -229,7 +226,7 @@ def stability_sheet(result: StabilityResult) -> Sheet:
     return Sheet(
         title=f"{train.title or 'Drive'}: will it pulsate?",
         subtitle=f"run-out of the last drum {named('exit_creep', result.run_out)}",
-        verdict=under(_verdict(result, own), _steady(train)),
+        verdict=under(_verdict(result, own), format_verdict(_steady(train))),
         tables=(_sensitivity_table(result), _controls_table(result)),
         remarks=(*_LEFT_OUT, _NOT_EXCLUDED, *_surface(train)),
         sources=(result.linear.station.source,) if result.linear.station.source else (),
@@ -265,7 +262,7 @@ def _verdict(result: StabilityResult, own: ControlAnswer) -> Verdict:
             f"doubles every {quantity(double, 'time', 2)}."
         )
         said_of = (*_why(result), cure, forced)
-        return Verdict(Level.FAILS, f"{headline} {action}", said_of, action=action)
+        return Verdict(Level.FAILS, headline, said_of, action=Action(action), name="stability")
     calm = amplitude <= _CALM and own.pull_third * run_out <= _CALM
     headline = f"No, it does not pulsate by itself with {ways}"
     headline += "." if calm else f", but it passes errors of the drums on as force. {forced}"

@@ -10,6 +10,7 @@ from wraparc.checks import judge
 from wraparc.glossary import GLOSSARY
 from wraparc.study.fields import label_of
 from wraparc.study.seek import Sought
+from wraparc.units import in_units
 
 
 def seek_sheet(found: Sought, title: str) -> Sheet:
@@ -17,8 +18,8 @@ def seek_sheet(found: Sought, title: str) -> Sheet:
     rows = tuple(
         Row(
             value_text(found, value),
-            (named(found.result, _result(found, drive)), judge(whole).word),
-            note=judge(whole).lead,
+            (named(found.result, _result(found, drive)), judge(whole).label),
+            note=judge(whole).text,
         )
         for value, whole, drive in zip(found.values, found.wholes, found.drives, strict=True)
     )
@@ -91,8 +92,8 @@ def seek_document(found: Sought) -> dict[str, Any]:
                 "value": value,
                 "result": _result(found, drive),
                 "level": judge(whole).level.value,
-                "word": judge(whole).word,
-                "headline": judge(whole).headline(),
+                "label": judge(whole).label,
+                "text": in_units(judge(whole).text),
             }
             for value, whole, drive in zip(found.values, found.wholes, found.drives, strict=True)
         ],

@@ -9,7 +9,9 @@ from collections.abc import Iterable
 from dataclasses import dataclass, fields, replace
 from typing import Any, TypeVar, cast
 
-from wraparc.checks import Level
+from wraparc.checks import Check, Level
+from wraparc.checks import Verdict as Judgement
+from wraparc.checks.action import Action, Way
 from wraparc.glossary import GLOSSARY, Quantity
 from wraparc.provenance import Kind
 from wraparc.units import (
@@ -29,6 +31,7 @@ from wraparc.units.cell import Form
 __all__ = [
     "NONE",
     "WEAK",
+    "Also",
     "Row",
     "Sheet",
     "Table",
@@ -76,6 +79,11 @@ class Row:
     name: str = ""
     level: Level | None = None
 
+    @property
+    def mark(self) -> str:
+        """The word of its level, where no value says it."""
+        return "" if self.level is None or str(self.level) in self.values else str(self.level)
+
 
 @dataclass(frozen=True)
 class Table:
@@ -119,36 +127,91 @@ class Table:
 
 
 @dataclass(frozen=True)
+class Also:
+    """What else is missed: one sentence.
+
+    Attributes
+    ----------
+    level, text
+        How bad it is, and the sentence.
+    check
+        The check that says it; None where another answer does.
+    """
+
+    level: Level
+    text: str
+    check: Check | None = None
+
+
+@dataclass(frozen=True)
 class Verdict:
-    """The answer in words.
+    """The answer in a few lines, each one object that every door shows as it is.
 
     Attributes
     ----------
     level
         How good it is.
-    headline
+    text
         One sentence.
     sentences
-        What follows from it: how far from a limit, what to do, what limits the answer.
-    word
-        What stands for the level, ``OK, on illustrative data``; the level itself unless given.
+        What a full answer says besides: reasons, allowances, assumptions.
+    label
+        What stands for the level, ``OK (dry)``; the level itself unless given.
     action
-        What to do, as the headline says it; empty where it says nothing of the kind.
+        What to do; None where nothing is to be done.
     kept
         Those of the sentences that a short answer keeps; all of them unless given.
+    also
+        What else is missed, the worst first.
+    wet, data
+        What wet would give, and on what data the answer is based; empty where nothing is to be
+        said.
+    reserve
+        What little change of an input changes the verdict.
+    name
+        Of the command, where its own sentence comes first; else that of the check.
+    check
+        The check that governs; None where a command says the sentence.
+    judged
+        The verdict on the drive, as data.
     """
 
     level: Level
-    headline: str
+    text: str
     sentences: tuple[str, ...] = ()
-    word: str = ""
-    action: str = ""
+    label: str = ""
+    action: Action | None = None
     kept: tuple[str, ...] | None = None
+    also: tuple[Also, ...] = ()
+    wet: str = ""
+    data: str = ""
+    reserve: tuple[str, ...] = ()
+    name: str = ""
+    check: Check | None = None
+    judged: Judgement | None = None
 
     @property
-    def told(self) -> str:
-        """Word of the verdict."""
-        return self.word or str(self.level)
+    def word(self) -> str:
+        """The level as it is shown."""
+        return self.label or str(self.level)
+
+    @property
+    def lines(self) -> tuple[tuple[str, str], ...]:
+        """Label and text of every line but the first."""
+        lines = [("Action", self.action.text)] if self.action else []
+        for other in self.also[:MOST_ALSO]:
+            level = "" if other.level is self.level else f"{other.level}: "
+            lines.append(("Also", f"{level}{other.text}"))
+        more = len(self.also) - MOST_ALSO
+        if more > 0:
+            lines.append(("Also", f"{more} more (--table checks)."))
+        lines += [("Wet", self.wet)] if self.wet else []
+        lines += [("Reserve", text) for text in self.reserve]
+        return (*lines, ("Data", self.data)) if self.data else tuple(lines)
+
+
+#: How many further sentences a first screen has.
+MOST_ALSO = 2
 
 
 @dataclass(frozen=True)
@@ -246,7 +309,7 @@ def shown(thing: _T, system: System) -> _T:
         of = in_units(thing, system)
     elif isinstance(thing, tuple):
         of = tuple(shown(part, system) for part in thing)
-    elif isinstance(thing, Sheet | Verdict | Table | Row):
+    elif isinstance(thing, Sheet | Verdict | Also | Table | Row | Action | Way):
         parts = ((f.name, getattr(thing, f.name)) for f in fields(thing))
         of = replace(thing, **{name: shown(part, system) for name, part in parts})
     return cast(_T, of)

@@ -52,7 +52,7 @@ class _Pick:
 _PICKED: dict[str, _Pick] = {
     # a drive
     "checks": _Pick(),
-    "conditions": _Pick(rows=("Verdict", "Least"), judged=True),
+    "conditions": _Pick(rows=("Verdict", "Minimum"), judged=True),
     "cases": _Pick(most=9),
     "drives": _Pick(
         rows=("share", "effective", "motor_load", "speed_trim", "exit_c"), alone=True, noted=False
@@ -111,7 +111,7 @@ def short_sheet(sheet: Sheet, table_hint: str = "", rest: str = "") -> Sheet:
     table_hint
         How one table is asked for, before its name; nothing where it cannot be.
     rest
-        How the rest is asked for; nothing is said of it if empty.
+        How the rest is reached; nothing is said of it if empty.
     """
     names, seen = Counter(table.name for table in sheet.tables), Counter[str]()
     shown: list[Table] = []
@@ -152,14 +152,14 @@ def short_sheet(sheet: Sheet, table_hint: str = "", rest: str = "") -> Sheet:
     bare = Sheet(
         title=sheet.title,
         subtitle=sheet.subtitle if len(sheet.subtitle) <= _SUBTITLE else "",
-        verdict=sheet.verdict and _said(sheet.verdict, words),
+        verdict=sheet.verdict and replace(sheet.verdict, sentences=words),
         tables=tuple(shown),
         foot=(
             *(table.brief for table in sheet.tables if table.brief),
             *remarks,
             *(source for source in ground if source not in remarks),
             *_attention(hidden, table_hint),
-            *_rest(left_out, rest),
+            *([f"More  {rest}"] if rest and any(n > 0 for n in left_out.values()) else []),
         ),
     )
     return _unnumbered(bare, len(sheet.sources))
@@ -204,14 +204,6 @@ def _words(verdict: Verdict | None) -> tuple[str, ...]:
     return verdict.sentences[:_SENTENCES] if verdict.kept is None else verdict.kept
 
 
-def _said(verdict: Verdict, sentences: tuple[str, ...]) -> Verdict:
-    """Return a verdict whose headline leaves the action to a line of its own."""
-    headline = verdict.headline
-    if verdict.action:
-        headline = headline.replace(f" {verdict.action}", "", 1)
-    return replace(verdict, headline=headline, sentences=sentences)
-
-
 def _attention(hidden: Sequence[tuple[Table, Sequence[Row]]], hint: str) -> Iterator[str]:
     """Say where rows ask for attention that are not shown."""
     for table, rows in hidden:
@@ -220,13 +212,6 @@ def _attention(hidden: Sequence[tuple[Table, Sequence[Row]]], hint: str) -> Iter
             told = ", ".join(f"{level} in {count} rows" for level, count in bad.items())
             where = f" ({hint} {table.name})" if hint and table.name else ""
             yield f"{table.title}: {told.replace(' 1 rows', ' 1 row')}{where}."
-
-
-def _rest(left_out: dict[str, int], rest: str) -> Iterator[str]:
-    """Say how much there is besides, and how it is asked for."""
-    told = [f"{n} {what}{'' if n == 1 else 's'}" for what, n in left_out.items() if n > 0]
-    if told and rest:
-        yield f"Not shown: {', '.join(told)}{rest}"
 
 
 def _unnumbered(sheet: Sheet, sources: int) -> Sheet:

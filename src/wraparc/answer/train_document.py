@@ -69,7 +69,7 @@ def curve_csv(curve: ShareCurve) -> str:
 def _verdict_data(told: Any) -> Data:
     return {
         "level": told.level.value,
-        "headline": told.headline,
+        "text": told.text,
         "sentences": list(told.sentences),
     }
 

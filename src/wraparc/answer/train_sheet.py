@@ -1,6 +1,7 @@
 """The sheet of a solved train: several drives on one belt."""
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from math import isnan
 
 from wraparc.answer.drive_sheet import drive_sheet, read_sheet
@@ -60,7 +61,7 @@ def train_sheet(
     checks = 1 + bool(least_tension(result)) + bool(result.train.conditions)
     tables = (*arcs.tables[:checks], *train_tables(result), *arcs.tables[checks:])
     verdict = train_verdict(result)
-    return Sheet(arcs.title, arcs.subtitle, verdict, tables, arcs.remarks, arcs.sources)
+    return replace(arcs, verdict=verdict, tables=tables)
 
 
 def train_input_sheet(train: Train) -> Sheet:
@@ -68,7 +69,7 @@ def train_input_sheet(train: Train) -> Sheet:
     of = Sources()
     inputs = (*drive_inputs(train, divided=True), *train_inputs(train))
     tables = input_tables(inputs, of)
-    return read_sheet(train, "The drive file of the train", tables, of)
+    return read_sheet(train, tables, of)
 
 
 def train_tables(result: TrainResult) -> tuple[Table, ...]:

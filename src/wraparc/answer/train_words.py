@@ -1,12 +1,13 @@
 """The answer for a train in words: who carries more and why, and how exactly speeds must match."""
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from math import floor, isfinite, isnan, log10
 
-from wraparc.answer.least_tension import least_sentence
+from wraparc.actions import find_action
 from wraparc.answer.sheet import Verdict, named, percent
-from wraparc.answer.words import as_it_is, in_short, in_words, told_twice
-from wraparc.checks import idle, judge
+from wraparc.answer.words import format_verdict, minimum_sentences, stated_action, under
+from wraparc.checks import Level, idle, judge
 from wraparc.checks.numbers import pull_against
 from wraparc.glossary import GLOSSARY
 from wraparc.train import (
@@ -28,17 +29,24 @@ _AS_FAST = 5e-6
 _TOLERATED = 0.05
 
 
-def train_verdict(result: TrainResult) -> Verdict:
-    """Return the answer for a train in all its load cases, told by the one that governs."""
-    worst, told = result.governing, judge(result)
-    least = least_sentence(result)
-    first = [*([least] if least else []), *told.others]
+def train_verdict(result: TrainResult, *, search: bool = True) -> Verdict:
+    """Return the answer for a train in all its load cases.
+
+    Parameters
+    ----------
+    result
+        The solved train.
+    search
+        Whether changes of the drive are tried for the action.
+    """
+    worst, judged = result.governing, judge(result)
     governing = [*case_sentences(worst, result.cases)]
     others = [s for case in result if case is not worst for s in short_sentences(case)]
-    sentences = [*first, *governing, *others]
-    kept = [s for s in first if s not in told_twice(told)]
-    kept += governing[: 1 + bool(worst.other_splits)]  # who carries what, and whether for sure
-    return in_words(told, sentences, [*kept, *others])
+    sentences = [*minimum_sentences(result), *judged.full, *governing, *others]
+    action = find_action(result) if search else stated_action(judged)
+    # what splits besides is no check, and is said where the answer is short too
+    kept = tuple(governing[1:2]) if worst.other_splits else ()
+    return replace(format_verdict(judged, sentences, action), kept=kept)
 
 
 def _fights(case: CaseResult) -> bool:
@@ -226,11 +234,8 @@ def matching_verdict(result: TrainResult, matching: Matching) -> Verdict:
             f"{_needed(slope)} % for a share within {percent(_TOLERATED)}"
         )
     judged = judge(result)
-    missed = in_short(judged)
-    as_is = [as_it_is(judged)] if judged.missed else []
     load, losses = [*_against_load(matching.load)], [*_losses(matching)]
     sentences = [
-        *as_is,
         *_who_and_why(matching),
         *surface_speeds(case),
         *_range(matching.trim, name, what.split()[-1]),
@@ -238,9 +243,9 @@ def matching_verdict(result: TrainResult, matching: Matching) -> Verdict:
         *_changes(matching),
         *losses,
     ]
-    kept = (*as_is, *load, *losses)
-    words = f"{headline}. {missed}".rstrip()
-    return Verdict(judged.level, words, tuple(sentences), judged.word, kept=kept)
+    kept = (*load, *losses)
+    own = Verdict(Level.OK, f"{headline}.", tuple(sentences), kept=kept, name="trim")
+    return under(own, format_verdict(judged, judged.full, stated_action(judged)))
 
 
 def _to_set(matching: Matching, name: str) -> str:

@@ -1,18 +1,18 @@
 """Before and after a change: one table, and the reason for each change in words."""
 
 import math
-import re
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import Any
 
 from wraparc.across import across_of
 from wraparc.alike import alike
 from wraparc.answer.across_tables import across_data, compared_table
 from wraparc.answer.least_tension import at_least, least_name, shown_least
-from wraparc.answer.sheet import NONE, Row, Sheet, Table, Verdict, named, percent, row_of
-from wraparc.answer.words import alone, as_it_is, in_short, short
+from wraparc.answer.sheet import NONE, Row, Sheet, Table, named, percent, row_of
+from wraparc.answer.words import alone, format_verdict, short, stated_action
 from wraparc.arc import ArcResult, DriveResult, WrapArc
-from wraparc.checks import Place, judge, least_tension, placed
+from wraparc.checks import judge, least_tension
 from wraparc.choose.what_if import WhatIf
 from wraparc.glossary import GLOSSARY
 from wraparc.train import TrainResult
@@ -49,7 +49,7 @@ def what_if_sheet(found: WhatIf, title: str) -> Sheet:
     whole = " on the whole drive" if several or len(first.load_cases) > 1 else ""
     rows = [
         Row("Result", tuple(short(w, r) for w, r in zip(found.drives, results, strict=True))),
-        Row(f"Verdict{whole}", tuple(judge(w).word for w in wholes)),
+        Row(f"Verdict{whole}", tuple(judge(w).label for w in wholes)),
     ]
     rows += [
         row_of(name, *(_value(r, name) for r in results))
@@ -60,13 +60,12 @@ def what_if_sheet(found: WhatIf, title: str) -> Sheet:
     least = tuple(shown_least(whole) for whole in wholes)
     behind = ", behind the drives" if several and not first.criteria.take_up.after else ""
     note = f"for every check that it helps to pass{behind}"
-    rows.append(Row(f"Least {least_name(wholes[0])}", least, note=note))
+    rows.append(Row(f"Minimum {least_name(wholes[0])}", least, note=note))
     rows += _standards(wholes)
     across = compared_table(_by_itself(found), heads)
     as_is = judge(wholes[0])
-    wet = "" if as_is.missed else in_short(as_is)
-    sentences = [as_it_is(as_is)] if as_is.missed else []
-    kept = [*sentences]
+    sentences: list[str] = []
+    kept: list[str] = []
     for change, after_it, after in zip(found.changes, wholes[1:], found.after, strict=True):
         missed = [*_missed(found, after_it)]
         why = [*_reasons(found, after_it, after)]
@@ -75,12 +74,9 @@ def what_if_sheet(found: WhatIf, title: str) -> Sheet:
     return Sheet(
         title=title,
         subtitle=f"Pulley {found.pulley}, load case {found.load_case}, before and after.",
-        verdict=Verdict(
-            as_is.level,
-            f"{_headline(found)} {wet}".rstrip(),
-            tuple(sentences),
-            re.sub(r"^OK( \(dry\))?", r"\g<0> as it is", as_is.word),
-            kept=tuple(kept),
+        verdict=replace(
+            format_verdict(as_is, (_headline(found), *sentences), stated_action(as_is)),
+            kept=(_headline(found), *kept),
         ),
         tables=(
             Table("Before and after", tuple(rows), heads, name="changes"),
@@ -112,8 +108,7 @@ def _missed(found: WhatIf, whole: Whole) -> Iterator[str]:
     already = {check.name: check.level.rank for check in judge(found.wholes[0]).missed}
     for check in judge(whole).missed:
         if check.level.rank > already.get(check.name, 0):
-            here = check.place == Place(found.pulley, found.load_case)
-            yield f"{check.level}: {check.said if here else placed(check)}"
+            yield f"{check.level}: {check.text}"
 
 
 def _headline(found: WhatIf) -> str:
@@ -126,17 +121,11 @@ def _headline(found: WhatIf) -> str:
     before = "gross slip"
     if found.before.status.solved:
         before = named("exit_creep", found.before.exit_creep)
-    worst, here = judge(found.wholes[0]).governing, (found.pulley, found.load_case)
-    why = of = ""
-    if worst is not None and worst.missed:
-        where = (worst.place.pulley, worst.place.load_case)
-        elsewhere = "" if where == here or not any(where) else f" ({worst.place})"
-        if elsewhere or worst.name != "creep":
-            why = f"As it is: {worst.short}{elsewhere}. "
+    of = ""
     drive = found.drives[0].drive
     if len(drive.pulleys) > 1 or len(drive.load_cases) > 1:
         of = f" of pulley {found.pulley}, load case {found.load_case}"
-    return f"{why}{GLOSSARY['exit_creep'].title}{of}: as it is {before}; {'; '.join(parts)}."
+    return f"{GLOSSARY['exit_creep'].title}{of}: now {before}; {'; '.join(parts)}."
 
 
 def _worse(found: WhatIf, whole: Whole) -> str:
@@ -144,7 +133,7 @@ def _worse(found: WhatIf, whole: Whole) -> str:
     judged = judge(whole)
     if judged.governing is None or judged.level.rank <= judge(found.wholes[0]).level.rank:
         return ""
-    return f" ({judged.level}: {judged.governing.short})"
+    return f" ({judged.level}: {judged.governing.label})"
 
 
 def reasons(before: ArcResult, after: ArcResult, several: bool = False) -> Iterator[str]:
@@ -295,7 +284,7 @@ def what_if_document(found: WhatIf) -> dict[str, Any]:
                 "status": r.status.name.lower(),
                 **{name: _value(r, name) for name in _SHOWN},
                 "verdict": str(judge(whole).level),
-                "word": judge(whole).word,
+                "label": judge(whole).label,
                 "reasons": [] if r is found.before else list(_reasons(found, whole, r)),
                 **({"across": across_data(a)} if a is not None else {}),
             }

@@ -6,11 +6,13 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 from weakref import WeakKeyDictionary
 
+from wraparc.actions import find_action
 from wraparc.answer.least_tension import least_sentence
-from wraparc.answer.sheet import Verdict, named
+from wraparc.answer.sheet import Also, Verdict, named
 from wraparc.arc import ArcResult, DriveResult, Status
 from wraparc.checks import Level, idle, judge
 from wraparc.checks import Verdict as Judgement
+from wraparc.checks.action import Action
 from wraparc.drive import Drive, LoadCase, Tensions
 
 if TYPE_CHECKING:
@@ -18,75 +20,87 @@ if TYPE_CHECKING:
 
 #: Stands for a place without bound, which JSON does not have.
 _FAR = 1e12
-#: Which drive is judged beside the answer to another question.
-AS_IT_IS = "As it is"
 
 
-def verdict(result: DriveResult) -> Verdict:
-    """Return the answer for a whole drive: the check that governs, then what else is missed."""
-    told = judge(result)
-    worst = result.governing
-    least = least_sentence(result)
-    sentences = [*([least] if least else []), *told.others]
+def verdict(result: DriveResult, *, search: bool = True) -> Verdict:
+    """Return the answer for a whole drive.
+
+    Parameters
+    ----------
+    result
+        The solved drive.
+    search
+        Whether changes of the drive are tried for the action.
+    """
+    judged, worst = judge(result), result.governing
+    sentences = [*minimum_sentences(result), *judged.full]
     if worst.status is Status.BREAKAWAY:
         sentences += _breakaway(worst)
-    said = (*told_twice(told), *([least] if _says_none(told) else []))
-    return in_words(told, sentences, [s for s in sentences if s not in said])
+    action = find_action(result) if search else stated_action(judged)
+    return format_verdict(judged, sentences, action)
 
 
-def told_twice(told: Judgement) -> tuple[str, ...]:
-    """Return the sentence on the data, which the remarks of a short answer tell in full."""
-    weak = told.level.rank > Level.OK.rank and told.qualifier and told.data
-    return told.others[-1:] if weak else ()
+def minimum_sentences(result: "DriveResult | TrainResult") -> Iterator[str]:
+    """Yield the sentence on the minimum slack-side tension, where there is one."""
+    sentence = least_sentence(result)
+    if sentence:
+        yield sentence
 
 
-def _says_none(told: Judgement) -> bool:
-    """Whether the headline says that no tension is enough."""
-    worst = told.governing
-    return worst is not None and worst.missed and worst.remedy == worst.otherwise != ""
+def stated_action(judged: Judgement) -> Action | None:
+    """Return what the governing check states itself, for which nothing is tried."""
+    worst = judged.governing
+    return Action(worst.action_text) if worst is not None and worst.action else None
 
 
-def in_words(
-    told: Judgement, sentences: Sequence[str], kept: Sequence[str] | None = None
+def format_verdict(
+    judged: Judgement, sentences: Sequence[str] = (), action: Action | None = None
 ) -> Verdict:
-    """Return a verdict with its sentences, as a sheet shows it; `kept` are those of a short one."""
+    """Return the verdict on a drive as every door shows it.
+
+    Parameters
+    ----------
+    judged
+        What the checks come to.
+    sentences
+        What a full answer says besides.
+    action
+        What to do.
+    """
+    worst = judged.governing
     return Verdict(
-        told.level,
-        told.lead,
+        judged.level,
+        judged.text,
         tuple(sentences),
-        told.word,
-        told.action,
-        None if kept is None else tuple(kept),
+        judged.label,
+        action,
+        (),
+        also=tuple(Also(check.level, check.text, check) for check in judged.also),
+        wet=judged.wet_text,
+        data=judged.data.text,
+        name="" if worst is None else worst.name,
+        check=worst,
+        judged=judged,
     )
 
 
-def as_it_is(told: Judgement, of: str = AS_IT_IS) -> str:
-    """Return the verdict on a drive in a sentence, for an answer to another question about it."""
-    return f"{of}: {told.lead}"
+def under(own: Verdict, drive: Verdict) -> Verdict:
+    """Return the answer to another question about a drive, with the verdict on the drive under it.
 
-
-def in_short(told: Judgement, of: str = AS_IT_IS) -> str:
-    """Return what a drive misses as it is, in a few words; else nothing."""
-    worst = told.governing
-    if worst is None or not worst.missed:
-        return ""
-    where = f" ({worst.place})" if str(worst.place) else ""
-    return f"{of}: {worst.short}{where}."
-
-
-def under(told: Verdict, judged: Judgement, of: str = AS_IT_IS) -> Verdict:
-    """Return the answer to another question about a drive under the verdict on the drive.
-
-    The worse of both leads; `of` says which drive that is.
+    The level is the worse of both; the drive's sentence is the first of what else is missed.
     """
-    level = max(told.level, judged.level, key=lambda of: of.rank)
-    as_is = [as_it_is(judged, of)] if judged.missed else []
+    level = max(own.level, drive.level, key=lambda of: of.rank)
+    missed = drive.level.rank > Level.OK.rank
+    also = (Also(drive.level, drive.text, drive.check), *drive.also) if missed else ()
     return replace(
-        told,
+        own,
         level=level,
-        headline=f"{told.headline} {in_short(judged, of)}".rstrip(),
-        sentences=(*as_is, *told.sentences),
-        word=judged.word if level is Level.OK else "",
+        label=own.label or drive.label if level is Level.OK else "",
+        action=own.action or drive.action,
+        also=(*own.also, *also),
+        wet=own.wet or drive.wet,
+        data=own.data or drive.data,
+        judged=drive.judged,
     )
 
 
@@ -95,20 +109,20 @@ def level_of(result: "DriveResult | TrainResult", arc: ArcResult) -> Level:
     return judge(result).at(arc.arc.pulley, arc.arc.load_case).level
 
 
-def order_in(told: Judgement) -> float:
-    """Return the place of a verdict among those of its level: the least comes off worst."""
-    worst = told.governing
-    return 0.0 if worst is None else max(-_FAR, min(told.nearness(worst)[1], _FAR))
+def order_in(judged: Judgement) -> float:
+    """Return the place of a verdict among those of its level: the least is the worst."""
+    worst = judged.governing
+    return 0.0 if worst is None else max(-_FAR, min(worst.order[1], _FAR))
 
 
 def short(result: "DriveResult | TrainResult", arc: ArcResult) -> str:
     """Return the answer for one arc in a few words, for a table."""
     if arc.status is Status.BREAKAWAY:
-        return "breaks away"
+        return f"{Level.FAILS} gross slip"
     worst = judge(result).at(arc.arc.pulley, arc.arc.load_case).governing
     if worst is not None and worst.missed:
-        return worst.short
-    return "not driven" if idle(arc.arc) else "carries"
+        return f"{worst.level} {worst.label}"
+    return "OK, not driven" if idle(arc.arc) else str(Level.OK)
 
 
 def alone(drive: Drive, arc: ArcResult) -> DriveResult:
@@ -149,6 +163,6 @@ def _breakaway(result: ArcResult) -> Iterator[str]:
         return  # the paper's march finds no capacities
     ratio = c.creep_limit_capacity if arc.side > 0.0 else 1.0 / c.creep_limit_capacity
     yield (
-        f"Asked for T1/T2 = {named('tension_ratio', result.tension_ratio)}; at the creep limit it "
-        f"carries T1/T2 = {named('tension_ratio', ratio)}."
+        f"T1/T2 required: {named('tension_ratio', result.tension_ratio)}; transmissible at the "
+        f"creep limit: {named('tension_ratio', ratio)}."
     )

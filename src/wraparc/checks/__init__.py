@@ -4,10 +4,10 @@ A door asks ``judge(result)`` for a `Verdict` (of a `DriveResult` or a `TrainRes
 it finds there; it judges nothing itself::
 
     verdict = judge(result)
-    verdict.level, verdict.word      # the worst of the checks; "OK, on illustrative data"
-    verdict.headline(system)         # the check that governs, in a sentence, with its remedy
-    verdict.sentences(system)        # what else is missed
-    verdict.listed                   # each check once, where it comes off worst
+    verdict.level, verdict.label     # the worst of the checks; "OK (dry)"
+    verdict.text                     # one sentence; its quantities are cells
+    verdict.also                     # what else is missed, the worst first
+    verdict.listed                   # each check once, at the place that governs it
     verdict.at(pulley, load_case)    # the same of one arc: its level for a row of a table
     verdict.checks                   # every check at every place
 
@@ -16,7 +16,7 @@ it finds there; it judges nothing itself::
 binding check is kept.
 """
 
-from wraparc.checks.check import Check, Level, Place, Verdict, keeps, placed
+from wraparc.checks.check import Check, Level, Place, keeps
 from wraparc.checks.gross_slip import Margins, margins_of
 from wraparc.checks.judge import before, judge
 from wraparc.checks.least_tension import Figure, LeastTension, least_tension
@@ -24,11 +24,13 @@ from wraparc.checks.of_run import judge_run
 from wraparc.checks.of_train import TRAIN_BALANCE
 from wraparc.checks.rule import idle
 from wraparc.checks.rules import RULES
+from wraparc.checks.verdict import DataLine, Verdict
 
 __all__ = [
     "RULES",
     "TRAIN_BALANCE",
     "Check",
+    "DataLine",
     "Figure",
     "LeastTension",
     "Level",
@@ -42,5 +44,4 @@ __all__ = [
     "keeps",
     "least_tension",
     "margins_of",
-    "placed",
 ]

@@ -97,6 +97,22 @@ class Place(NamedTuple):
 NOWHERE = Place()
 
 
+class Amount(NamedTuple):
+    """A quantity in the texts of a check.
+
+    Attributes
+    ----------
+    value, dimension
+        The quantity [SI] and what it measures.
+    form
+        ``up`` or ``down`` where it holds rounded to that side; else it is told apart from others.
+    """
+
+    value: float
+    dimension: Dimension
+    form: Form = ""
+
+
 @dataclass(frozen=True, kw_only=True)
 class Check:
     """What is compared with one limit, at one place.
@@ -133,7 +149,7 @@ class Check:
     missing, why
         Of a check that is not made: the key that is missing, or the reason.
     more
-        Further quantities by name: value [SI] and dimension.
+        Further quantities by name.
     binding
         Whether a design must pass it; of these the minimum slack-side tension keeps what a tension
         helps against.
@@ -159,7 +175,7 @@ class Check:
     source: str = ""
     missing: str = ""
     why: str = ""
-    more: Mapping[str, tuple[float, Dimension]] = field(default_factory=dict, hash=False)
+    more: Mapping[str, Amount] = field(default_factory=dict, hash=False)
     binding: bool = True
     weak: tuple[tuple[str, str, str], ...] = ()
 
@@ -295,15 +311,20 @@ class Check:
     def _filled(self, template: str) -> str:
         """Return a template with its quantities."""
         value, limit = self.texts()
-        words = {n: quantity_text(v, d, self._nearest(n)) for n, (v, d) in self.more.items()}
+        words = {name: self._amount(name) for name in self.more}
         words |= {"value": value, "limit": limit}
         return template.format(**words)
 
-    def _nearest(self, name: str) -> float:
-        """Return the quantity of `more` that one of it is told from: the nearest of its kind."""
-        value, dimension = self.more[name]
-        others = [v for n, (v, d) in self.more.items() if n != name and d == dimension]
-        return min(others, key=lambda other: abs(other - value), default=math.nan)
+    def _amount(self, name: str) -> str:
+        """Return a quantity of `more`, told apart from the nearest other one of its kind."""
+        of = self.more[name]
+        if of.form and math.isfinite(of.value):
+            return Cell(of.value, of.dimension, form=of.form)
+        others = [
+            o.value for n, o in self.more.items() if n != name and o.dimension == of.dimension
+        ]
+        nearest = min(others, key=lambda other: abs(other - of.value), default=math.nan)
+        return quantity_text(of.value, of.dimension, nearest)
 
 
 def quantity_text(

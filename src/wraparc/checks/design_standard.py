@@ -21,18 +21,22 @@ MANUAL_WRAP_FACTORS = {
     "bare": ((180.0, 1.2), (200.0, 1.0), (210.0, 1.0), (220.0, 0.9), (240.0, 0.8)),
     "lagged": ((180.0, 0.8), (200.0, 0.7), (210.0, 0.7), (220.0, 0.6), (240.0, 0.6)),
 }
+#: What a rule of the user is called.
+OWN = "design standard"
 _ROUNDING = 1e-9  # of angles in degrees
 MANUAL_SOURCE = "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8)"
 
 
 @dataclass(frozen=True)
-class Asked:
-    """What a standard asks of a pulley.
+class StandardRequirement:
+    """What a standard requires of a pulley.
 
     Attributes
     ----------
-    rule
-        The standard with its friction and condition, in words.
+    name
+        The standard.
+    how
+        Its friction and condition, or its factor.
     wrap_factor
         Slack-side tension over effective tension [-]; nan where the standard says nothing.
     source
@@ -41,16 +45,22 @@ class Asked:
         Why there is no wrap factor.
     """
 
-    rule: str
+    name: str
+    how: str
     wrap_factor: float
     source: str
     why_not: str = ""
 
+    @property
+    def rule(self) -> str:
+        """The standard with its friction and condition, in words."""
+        return f"{self.name}, {self.how}" if self.how else self.name
 
-def asked(
+
+def find_requirement(
     standard: DesignStandard, take_up: TakeUp, lagging: Lagging, wrap_angle: float
-) -> Asked | None:
-    """Return what a standard asks of a pulley with a lagging; None where none is asked.
+) -> StandardRequirement | None:
+    """Return what a standard requires of a pulley with a lagging; None where none does.
 
     Parameters
     ----------
@@ -77,7 +87,7 @@ def asked(
 def wrap_factors(
     standard: DesignStandard, take_up: TakeUp, lagging: Lagging, wrap_angle: Array
 ) -> Array:
-    """Return the wrap factors that `asked` finds, nan for none, shape (n,) [-].
+    """Return the wrap factors that `find_requirement` finds, nan for none, shape (n,) [-].
 
     Parameters
     ----------
@@ -118,39 +128,41 @@ def by_table(standard: DesignStandard, take_up: TakeUp, lagging: Lagging) -> boo
     return _cema(standard) and take_up.fixed and bool(lagging.surface)
 
 
-def _friction(standard: DesignStandard, lagging: Lagging) -> tuple[float | None, Asked]:
+def _friction(
+    standard: DesignStandard, lagging: Lagging
+) -> tuple[float | None, StandardRequirement]:
     """Return the friction that a standard designs with, and what to say of it."""
     name = standard.name or "CEMA"
     if standard.friction is not None:
-        rule = f"your own rule, friction {standard.friction:.2f}"
-        return standard.friction, Asked(rule, math.nan, "given")
+        how = f"friction {standard.friction:.2f}"
+        return standard.friction, StandardRequirement(OWN, how, math.nan, "input")
     if not lagging.surface:
-        return None, _silent(name, f"lagging {lagging.name} does not say what its surface is")
+        return None, _silent(name, f"{lagging.name} has no surface")
     condition = standard.condition or lagging.condition
     found = [d for d in design_friction() if d.standard == name and d.surface == lagging.surface]
     value = next((d for d in found if d.condition in ("", condition)), None)
     if value is None:
-        return None, _silent(name, f"it has no value for {lagging.surface} when {condition}")
+        return None, _silent(name, f"no value for {lagging.surface}, {condition}")
     friction = value.friction[0]
     stated = ", ".join(part for part in (value.surface, value.condition) if part)
-    rule = f"{name}, friction {friction:.2f} ({stated})"
-    return friction, Asked(rule, math.nan, str(value.provenance))
+    how = f"friction {friction:.2f} ({stated})"
+    return friction, StandardRequirement(name, how, math.nan, str(value.provenance))
 
 
 def _rows(lagging: Lagging) -> tuple[tuple[float, float], ...]:
     return MANUAL_WRAP_FACTORS["bare" if lagging.surface == "bare" else "lagged"]
 
 
-def _manual(lagging: Lagging, wrap_angle: float) -> Asked:
+def _manual(lagging: Lagging, wrap_angle: float) -> StandardRequirement:
     rows = _rows(lagging)
     angle = math.degrees(wrap_angle)
     if not rows[0][0] - _ROUNDING <= angle <= rows[-1][0] + _ROUNDING:
-        ends = f"{rows[0][0]:g} to {rows[-1][0]:g} degrees"
-        return _silent("CEMA", f"its factors for manual take-ups are for wraps of {ends}")
+        ends = f"{rows[0][0]:g} to {rows[-1][0]:g} deg"
+        return _silent("CEMA", f"manual take-up factors cover wraps {ends}")
     # between two rows the factor of the smaller wrap: the table is rounded to steps
     factor = next(value for row, value in reversed(rows) if row <= angle + _ROUNDING)
-    return Asked(f"CEMA, manual take-up, Cw {factor:g}", factor, MANUAL_SOURCE)
+    return StandardRequirement("CEMA", f"manual take-up, Cw {factor:g}", factor, MANUAL_SOURCE)
 
 
-def _silent(name: str, why: str) -> Asked:
-    return Asked(name, math.nan, "", why)
+def _silent(name: str, why: str) -> StandardRequirement:
+    return StandardRequirement(name, "", math.nan, "", why)

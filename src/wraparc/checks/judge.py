@@ -2,34 +2,22 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 from dataclasses import replace
 from weakref import WeakKeyDictionary
 
 from wraparc.arc import ArcResult, DriveResult
 from wraparc.checks import of_arc, of_data, of_drive, of_train
-from wraparc.checks.check import Check, Level, Place, Verdict
-from wraparc.checks.least_tension import LeastTension, least_tension
+from wraparc.checks.check import Check, Level, Place
 from wraparc.checks.rule import idle, not_checked
-from wraparc.checks.rules import ACROSS_RULES, OF_PULLEY, RULES, spot_of
+from wraparc.checks.rules import OF_PULLEY, spot_of
 from wraparc.checks.usual import Owner, owners_of, usual_sizes
+from wraparc.checks.verdict import Verdict
 from wraparc.drive import Drive, LoadCase
 from wraparc.train import Pulls, Train, TrainResult
 from wraparc.train.unsolved import unsolved_drive
 
-#: Checks that more tension on the slack side helps against, and those that less does.
-RAISING, LOWERING = (
-    frozenset(r.name for r in (*RULES.values(), *ACROSS_RULES.values()) if r.tension == way)
-    for way in ("raise", "lower")
-)
-#: The check of an even pulley that stands beside one across the width.
-EVEN = {
-    "uneven_creep": "creep", "uneven_pressure": "tested_pressure_max",
-    "uneven_face_pressure": "face_pressure", "uneven_bond_stress": "bond_stress",
-    "uneven_fatigue_stress": "fatigue_stress", "edge_tension": "belt_tension",
-}  # fmt: skip
-_told: WeakKeyDictionary[DriveResult | TrainResult, Verdict] = WeakKeyDictionary()
+_verdicts: WeakKeyDictionary[DriveResult | TrainResult, Verdict] = WeakKeyDictionary()
 
 
 def judge(result: DriveResult | TrainResult) -> Verdict:
@@ -37,45 +25,33 @@ def judge(result: DriveResult | TrainResult) -> Verdict:
 
     The same result is judged once, however often it is asked about.
     """
-    if result not in _told:
-        _told[result] = Verdict(sound(every_check(result), least_tension(result)))
-    return _told[result]
+    if result not in _verdicts:
+        _verdicts[result] = Verdict(_placed(every_check(result), _conditions(result)))
+    return _verdicts[result]
 
 
 def every_check(result: DriveResult | TrainResult) -> tuple[Check, ...]:
-    """Return every check, each with all that it may advise."""
+    """Return every check at every place."""
     return tuple(_train(result) if isinstance(result, TrainResult) else _drive(result))
 
 
-def sound(checks: tuple[Check, ...], least: LeastTension | None) -> tuple[Check, ...]:
-    """Return checks that advise nothing which does not help, or works against another check.
-
-    A tension is raised or lowered only where one keeps every binding check and this one, and a
-    pulley is evened out only where an even one would do.
-    """
-    missed = [(c.name, c.place) for c in checks if c.missed]
-    names = {name for name, _ in missed}
-    both = bool(names & RAISING) and bool(names & LOWERING)
-
-    def advised(check: Check) -> Check:
-        if (EVEN.get(check.name, ""), check.place) in missed:
-            return replace(check, remedy="Mend first what the even pulley lacks: it fails too.")
-        if check.missed and check.otherwise and not _helps(check, least, both):
-            return replace(check, remedy=check.otherwise)
-        return check
-
-    return tuple(map(advised, checks))
+def _conditions(result: DriveResult | TrainResult) -> dict[str, str]:
+    """Return the condition of every load case, where several are solved."""
+    cases = result.train.cases if isinstance(result, TrainResult) else result.drive.load_cases
+    conditions = {case.name: case.condition for case in cases}
+    return conditions if len(set(conditions.values())) > 1 else {}
 
 
-def _helps(check: Check, least: LeastTension | None, both: bool) -> bool:
-    """Whether another tension helps against what a check misses."""
-    if least is None:
-        return not both
-    own = next((f for f in least.figures if f.name == check.name), None)
-    if own is None and both:  # across the width: one asks for more, another for less
-        return False
-    helps = own is None or not own.at_least or own in least.required
-    return math.isfinite(least.tension) and helps
+def _placed(checks: tuple[Check, ...], conditions: dict[str, str]) -> tuple[Check, ...]:
+    """Return checks with the conditions of their load cases."""
+    if not conditions:
+        return checks
+    return tuple(
+        replace(check, place=check.place._replace(condition=conditions[check.place.load_case]))
+        if check.place.load_case in conditions
+        else check
+        for check in checks
+    )
 
 
 def before(described: Drive | Train) -> Verdict:
@@ -149,9 +125,10 @@ def _train(result: TrainResult) -> Iterator[Check]:
     checks = [*_of_members(result)]
     failing = {check.place.load_case for check in checks if check.level is Level.FAILS}
     for check in checks:
-        if check.name == "fight" and check.missed and check.place.load_case in failing:
+        opposing = check.name == "opposing_drives" and check.missed
+        if opposing and check.place.load_case in failing:
             case = result.train.case(check.place.load_case)
-            if check.more["lost"][0] > of_train.FIGHTS * abs(case.effective_tension):
+            if check.more["opposing"].value > of_train.OPPOSES * abs(case.effective_tension):
                 yield replace(check, level=Level.FAILS)
                 continue
         yield check
@@ -165,7 +142,7 @@ def _of_members(result: TrainResult) -> Iterator[Check]:
     adrift = {case.case.name for case in result if case.adrift}
     for check in _drive(result.drive_result(), *owners_of(result.train)):
         if check.name == "gross_slip" and check.place.load_case in adrift:
-            title = of_arc.GRIP.format(result.train.case(check.place.load_case).kind)
-            yield not_checked(check.name, title, of_train.NO_DIVISION, check.place)
+            why = of_train.NO_DIVISION
+            yield not_checked(check.name, of_arc.GRIP, of_arc.GRIP_NOUN, check.place, why=why)
         else:
             yield check

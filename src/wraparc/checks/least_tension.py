@@ -13,7 +13,7 @@ from wraparc.arc import ArcResult, DriveResult, WrapArc
 from wraparc.arc.capacity import highest_tight
 from wraparc.arc.interval import laws_at_ends
 from wraparc.checks.check import Level, Place
-from wraparc.checks.design_standard import asked
+from wraparc.checks.design_standard import find_requirement
 from wraparc.checks.gross_slip import lift, rises
 from wraparc.checks.least_numbers import Pull, least_for_creep, least_for_slip
 from wraparc.checks.of_arc import COVER_CREEP, CREEP_INTERVAL, design_slack
@@ -181,7 +181,7 @@ def taut(conveyor: Conveyor) -> Figure:
     ends = {s.name: min(s.head, s.tail, s.entry, s.exit) for s in conveyor.reckoned()}
     slackest = least(ends, lambda name: ends[name])
     tension = conveyor.take_up - ends[slackest] + TAUT
-    return Figure("taut", "Belt taut at both ends", tension, Place("", slackest))
+    return Figure("taut", "T2 for taut belt", tension, Place("", slackest))
 
 
 def _by_case(result: DriveResult) -> dict[str, list[ArcResult]]:
@@ -238,19 +238,19 @@ def _of_tension(rule: Rule, of: Spot, end: float) -> Iterator[Figure]:
 
     The safety factor of a belt, its tension the other way round, asks for what its rating does.
     """
-    words, value = rule.words and rule.words(of), rule.value
+    text, value = rule.text and rule.text(of), rule.value
     asks = rule.tension and rule.firm is None
-    if not asks or value is None or words is None or words.missing:
+    if not asks or value is None or text is None or text.missing or text.why:
         return
     more, least = of.state.width * 1e3, rule.tension == "raise"
     now = value(of.state)
     rise = (rule.limit_at(of) - now) / (value(of.state.raised(more)) - now) * more
-    yield Figure(rule.name, words.title, end + rise, of.place, at_least=least)
+    yield Figure(rule.name, text.title, end + rise, of.place, at_least=least)
 
 
 def _standard(of: Spot, offset: float) -> Iterator[Figure]:
     criteria, pulley = of.drive.criteria, of.pulley
-    rule = asked(criteria.standard, criteria.take_up, pulley.lagging, pulley.wrap_angle)
+    rule = find_requirement(criteria.standard, criteria.take_up, pulley.lagging, pulley.wrap_angle)
     if rule is None:
         return
     binding, tension = criteria.standard.binding, inf  # none keeps a rule that cannot be applied
@@ -258,7 +258,7 @@ def _standard(of: Spot, offset: float) -> Iterator[Figure]:
         tension = offset + design_slack(of, rule.wrap_factor)
     elif not (binding and criteria.standard.name):
         return
-    yield Figure("design_standard", rule.rule, tension, of.place, binding=binding)
+    yield Figure("design_standard", f"T2 by {rule.name}", tension, of.place, binding=binding)
 
 
 def _slip(result: ArcResult, offset: float, place: Place) -> Iterator[Figure]:
@@ -266,7 +266,7 @@ def _slip(result: ArcResult, offset: float, place: Place) -> Iterator[Figure]:
     tested = result.arc.law.tested
     if tested is not None and tested.slip_max < result.arc.creep_limit:
         least = least_with_slip(result, tested.slip_max)
-        yield Figure("tested_slip", "Largest slip, tested", offset + least, place)
+        yield Figure("tested_slip", "Slip, tested range", offset + least, place)
 
 
 def least_with_slip(result: ArcResult, limit: float) -> float:
@@ -280,9 +280,9 @@ def _estimates(spot: Spot, result: ArcResult, offset: float) -> Iterator[Figure]
     """Yield what the checks ask for that estimate a larger creep than that of the arc."""
     factor = estimate_factor(spot)
     for rule, title, asks in (
-        (COVER_CREEP, "Creep with the cover of the belt in series", least_when_covered(result)),
-        (CREEP_INTERVAL, "Creep at the end of its interval", least_by_interval(result)),
-        (WET_CREEP, "Creep when wet, estimated", least_when_wet(result, factor)),
+        (COVER_CREEP, "Creep with cover", least_when_covered(result)),
+        (CREEP_INTERVAL, "Creep, 95 % bound", least_by_interval(result)),
+        (WET_CREEP, "Wet creep", least_when_wet(result, factor)),
     ):
         if not math.isnan(asks):
             yield Figure(rule.name, title, offset + asks, spot.place, binding=False)
@@ -351,6 +351,6 @@ def _gross_slip(
     arc, factor = arcs[index].arc, drive.criteria.safety.of(case.kind)
     rise = rises([r.arc for r in arcs], index, drive.criteria.take_up)
     raised = lift(arcs[index], factor, rise.tight)
-    title = f"Safety {factor:g} against gross slip"
+    title = f"Gross-slip safety {factor:g}"
     raised = inf if math.isnan(raised) else raised
     return Figure("gross_slip", title, end + raised, Place(arc.pulley, case.name))

@@ -207,8 +207,8 @@ def compared_motor(
     return [power, speed, drum * radius / belt]
 
 
-def held_alike(least: float, most: float) -> bool:
-    """Whether one take-up can hold both tensions."""
+def has_equal_tension(least: float, most: float) -> bool:
+    """Return whether one take-up can give both tensions."""
     return most - least <= HELD * most
 
 
@@ -256,7 +256,7 @@ def trim_shift(first: float, other: float, opposite: bool) -> float:
     return abs(USUAL_OFFSET / (0.5 * first) - USUAL_OFFSET / (0.5 * other))
 
 
-def asked_slack(factor: float, start: float, pull: float) -> float:
+def required_slack(factor: float, start: float, pull: float) -> float:
     """Slack-side tension by a wrap factor, Cw times the pull that is designed for [N]."""
     return factor * start * abs(pull)
 

@@ -7,19 +7,20 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from wraparc.across import AcrossResult, AcrossStatus, slack_words
-from wraparc.arc.result import MORE_FRICTION
-from wraparc.checks.check import Check, Level, Place, escaped
+from wraparc.across import AcrossResult, AcrossStatus
+from wraparc.checks.check import Amount, Check, Level, Place
+from wraparc.checks.of_arc import REPORT
 from wraparc.checks.of_drive import NO_RATING, tension_factor, tests_of
-from wraparc.checks.rule import Words, not_checked, origin
+from wraparc.checks.rule import CheckText, not_checked, origin
 from wraparc.checks.rules import ACROSS_RULES
 from wraparc.drive import Belt, Drive, LoadCase, Pulley, Transition
 
 #: Tension at an edge that a belt may bear over its rating [-].
 EDGE_FACTOR = 1.15
 _EDGE = "edge at most 115 % of the rating; Goodyear, belt maintenance manual (2010)"
-#: Least length of a full trough transition over the belt width, at trough angles of 20, 35, 45 deg,
-#: for belts tensioned above 90, above 60, and up to 60 % of their rating; half troughs need half.
+#: Minimum length of a full trough transition over the belt width, at trough angles of 20, 35 and
+#: 45 deg, for belts tensioned above 90, above 60, and up to 60 % of their rating; half troughs need
+#: half.
 _TRANSITIONS = {
     "steel cord": ((4.0, 6.8, 8.0), (3.2, 5.2, 6.4), (2.0, 3.6, 4.4)),
     "fabric": ((1.8, 3.2, 4.0), (1.6, 2.4, 3.2), (1.2, 1.8, 2.4)),
@@ -28,9 +29,9 @@ _ANGLES = np.radians([20.0, 35.0, 45.0])
 _TRANSITION_SOURCE = (
     "customary lengths by carcass, trough angle and tension; Useful Conveyor Design Data"
 )
-#: Largest crown, on diameter per width: 1/8 in per foot.
+#: Maximum crown, on diameter per width: 1/8 in per foot.
 LARGEST_CROWN = 1.0 / 96.0
-#: Least extent of a profile over the belt width [-]: an inch read as a millimetre leaves a 25th.
+#: Minimum extent of a profile over the belt width [-]: an inch read as a millimetre leaves a 25th.
 LEAST_EXTENT = 0.1
 #: Largest miss of the balance of energy that a solution is trusted with [-].
 BALANCE = 1e-3
@@ -49,32 +50,53 @@ def across(drive: Drive, case: LoadCase, result: AcrossResult) -> Iterator[Check
                 (result.largest_running_tension, result.tightest_strip_tension), place)  # fmt: skip
     yield from _worst_place(drive, pulley, result, place)
     yield _wear(result, place)
-    words = Words(
-        title="Energy balance across the width",
+    text = CheckText(
+        title="Energy balance, width",
+        noun="energy balance error",
         source="tolerance of the program",
-        short="out of balance",
-        says="The energy balance across the width misses by {value}, more than {limit}.",
-        remedy="Please report the drive file; until then use another number of strips.",
+        label="internal error",
+        headline="Energy balance error {value} exceeds {limit}",
+        action=REPORT,
     )
-    yield ACROSS_RULES["across_balance"].judged(result.identity_error, BALANCE, place, words)
+    yield ACROSS_RULES["across_balance"].compare(result.identity_error, BALANCE, place, text)
 
 
 def _carried(result: AcrossResult, place: Place) -> Check:
     solved = result.status is AcrossStatus.SOLVED
     fault = result.status is AcrossStatus.UNSOLVED
+    slack, more, full = result.slack, dict[str, Amount](), ""
+    headline, action = "Gross slip: uneven pulley cannot transmit Te", UNEVEN_TENSION
+    if slack is not None:
+        headline = "Strip at {position} goes slack"
+        more = {
+            "position": Amount(slack.position, "length"),
+            "lacks": Amount(-slack.tension, "force_per_width"),
+        }
+        full = "The position is from the middle of the belt; the strip lacks {lacks}."
+    if fault:
+        headline, action = "No solution across the width", REPORT
     return Check(
         name="slack_edge",
-        title="Every strip of the belt carries tension",
+        title="Strip tension",
+        noun="strip tension",
         level=Level.OK if solved else Level.FAULT if fault else Level.FAILS,
         value=result.least_tension if solved else math.nan,
         limit=0.0 if solved else math.nan,
         dimension="force_per_width",
         at_most=False,
-        short="" if solved else "slack edge" if result.slack else result.status.name.lower(),
-        says="" if solved else escaped(f"{slack_words(result)} {result.status}".strip()),
+        label="" if solved else "not solved" if fault else "slack strip" if slack else "gross slip",
+        headline="" if solved else headline,
+        action="" if solved else action,
+        full="" if solved else full,
+        more=more,
         place=place,
         binding=False,
     )
+
+
+#: What to do about a pulley that is too uneven, and about an edge that is too tight.
+UNEVEN_TENSION = "Try a higher T2 or an even face."
+EVEN_EDGE = "Try an even face or a longer transition."
 
 
 def _edge(
@@ -86,20 +108,21 @@ def _edge(
     """
     value, strip = tension
     if belt.rating is None:
-        return not_checked(name, title, NO_RATING, place)
+        return not_checked(name, title, "edge tension", place, missing=NO_RATING)
     factor = EDGE_FACTOR * tension_factor(belt, case.kind)
     share = 100.0 * value / belt.rating
-    words = Words(
+    still = " at standstill" if name == "static_edge_tension" else ""
+    text = CheckText(
         title=title,
+        noun=f"edge tension{still}",
         source=f"{_EDGE}; rating: {origin(belt.sources.get('rating', belt.provenance))}",
-        short="edge over rating",
-        says="At its tightest the belt carries {value}, more than the {limit} allowed; that is "
-        f"{share:.3g} % of the rating, and its tightest strip carries {{strip}}.",
-        remedy="Even out the pulley, lengthen the transition, or lower the tension.",
-        otherwise="Even out the pulley, or lengthen the transition.",
-        more={"strip": (strip, "force_per_width")},
+        label="edge tension",
+        headline=f"Edge tension {{value}} exceeds the {{limit}} limit{still}",
+        action=EVEN_EDGE,
+        full=f"That is {share:.3g} % of the rating; the tightest strip has {{strip}}.",
+        more={"strip": Amount(strip, "force_per_width")},
     )
-    return ACROSS_RULES[name].judged(value, factor * belt.rating, place, words)
+    return ACROSS_RULES[name].compare(value, factor * belt.rating, place, text)
 
 
 def _static(
@@ -109,34 +132,37 @@ def _static(
     before = pulley.across.before if pulley.across else None
     if not isinstance(before, Transition):
         return
-    yield _edge(drive.belt, case, "static_edge_tension", "Edge tension at standstill",
+    yield _edge(drive.belt, case, "static_edge_tension", "Edge tension, standstill",
                 (result.largest_static_tension, float(np.max(result.static_tension))),
                 place)  # fmt: skip
     least = float(np.min(result.static_tension))
-    words = Words(
-        title="Centre of the belt at standstill",
+    text = CheckText(
+        title="Centre tension, standstill",
+        noun="centre tension at standstill",
         source="centre not below 0; Goodyear, belt maintenance manual (2010)",
-        short="buckles",
-        says="At standstill the transition leaves {value} in the slackest strip: it buckles.",
-        remedy="Lengthen the transition, or raise the pulley to half the depth of the trough.",
+        label="centre tension",
+        headline="Centre tension {value} is below 0 at standstill",
+        action="Try a longer transition, or a higher pulley.",
+        full="The belt buckles there.",
     )
-    yield ACROSS_RULES["static_centre_tension"].judged(least, 0.0, place, words)
-    title, belt = "Length of the trough transition", drive.belt
+    yield ACROSS_RULES["static_centre_tension"].compare(least, 0.0, place, text)
+    title, noun, belt = "Transition length", "transition length", drive.belt
     if belt.rating is None or belt.kind not in _TRANSITIONS:
-        why = "carcass and rating of the belt are not given"
-        yield not_checked("transition_length", title, why, place)
+        missing = NO_RATING if belt.rating is None else "belt.kind"
+        yield not_checked("transition_length", title, noun, place, missing=missing)
         return
     share = result.wide.arc.entry_tension / (belt.rating * belt.width)
-    words = Words(
+    text = CheckText(
         title=title,
+        noun=noun,
         source=_TRANSITION_SOURCE,
-        short="transition short",
-        says=f"The transition, {{value}}, is shorter than the {{limit}} that is customary for "
-        f"{belt.kind}; it carries {100.0 * share:.3g} % of its rating.",
-        remedy="Lengthen it, flatten the last troughs, or raise the pulley to half the trough.",
+        label="transition length",
+        headline="Transition {value} is below the usual minimum {limit}",
+        action="Use a transition of {limit} or more.",
+        full=f"For {belt.kind} at {100.0 * share:.3g} % of the rating.",
     )
     least_length = least_transition(belt, before, share)
-    yield ACROSS_RULES["transition_length"].judged(before.length, least_length, place, words)
+    yield ACROSS_RULES["transition_length"].compare(before.length, least_length, place, text)
 
 
 def least_transition(belt: Belt, transition: Transition, share: float) -> float:
@@ -150,56 +176,43 @@ def least_transition(belt: Belt, transition: Transition, share: float) -> float:
 def _worst_place(
     drive: Drive, pulley: Pulley, result: AcrossResult, place: Place
 ) -> Iterator[Check]:
-    """Check pressure, shear and creep of the strip that comes off worst."""
-    lagging, tested = pulley.lagging, pulley.lagging.law.tested
-    strip = "The worst strip"
-    plain = "Even out the pulley, or choose a larger pulley."
-    advice = {
-        "": (plain, plain),
-        "lower": (f"{plain[:-1]} or less tension.", plain),
-        "raise": (
-            f"Even out the pulley, raise the slack-side tension, or {MORE_FRICTION}",
-            f"Even out the pulley, or {MORE_FRICTION}",
-        ),
-    }
-    limits = [
-        ("uneven_pressure", "Largest wrap pressure across the width, tested",
-         result.largest_pressure, None if tested is None else tested.pressure_max,
-         tests_of(pulley) if tested else "",
-         f"{strip} presses with {{value}}, above the {{limit}} tested on lagging "
-         f"{escaped(lagging.name)}.", "pressure above tests"),
-        ("uneven_face_pressure", "Pressure on the pulley face across the width",
-         result.largest_pressure, drive.belt.largest_wrap_pressure,
-         origin(drive.belt.source_of("largest_wrap_pressure")),
-         f"{strip} presses on the pulley face with {{value}}, more than {{limit}}.",
-         "face pressure"),
-        ("uneven_bond_stress", "Shear stress of the bond across the width",
-         float(np.max(result.peak_shear_stress)), lagging.bond_strength,
-         origin(lagging.source_of("bond_strength")),
-         f"{strip} shears lagging and bond with {{value}}, more than {{limit}}.",
-         "bond overstressed"),
-        ("uneven_fatigue_stress", "Shear stress of the bond across the width, at every pass",
-         float(np.max(result.peak_shear_stress)), lagging.fatigue_limit,
-         origin(lagging.source_of("fatigue_limit")),
-         f"{strip} is sheared by {{value}} at every pass, fatigue limit {{limit}}.",
-         "lagging tires"),
-        ("uneven_creep", "Creep at exit across the width", abs(result.largest_creep),
+    """Check pressure, shear and creep of the worst strip."""
+    lagging, tested, belt = pulley.lagging, pulley.lagging.law.tested, drive.belt
+    pressure, stress = result.largest_pressure, float(np.max(result.peak_shear_stress))
+    rows = (
+        ("uneven_pressure", "Maximum wrap pressure", "maximum wrap pressure", pressure,
+         None if tested is None else tested.pressure_max, tests_of(pulley) if tested else "",
+         "Wrap pressure {value} exceeds the tested {limit}", "pressure above tests"),
+        ("uneven_face_pressure", "Face pressure", "face pressure", pressure,
+         belt.largest_wrap_pressure, origin(belt.source_of("largest_wrap_pressure")),
+         "Face pressure {value} exceeds the belt limit {limit}", "face pressure"),
+        ("uneven_bond_stress", "Bond shear stress", "bond shear stress", stress,
+         lagging.bond_strength, origin(lagging.source_of("bond_strength")),
+         "Bond shear stress {value} exceeds the strength {limit}", "bond stress"),
+        ("uneven_fatigue_stress", "Cyclic shear stress", "cyclic shear stress", stress,
+         lagging.fatigue_limit, origin(lagging.source_of("fatigue_limit")),
+         "Cyclic shear stress {value} exceeds the fatigue limit {limit}", "fatigue"),
+        ("uneven_creep", "Creep", "creep", abs(result.largest_creep),
          result.wide.arc.creep_limit, "as for the even belt",
-         f"{strip} creeps {{value}}, more than the limit of {{limit}}.", "over creep limit"),
-    ]  # fmt: skip
-    for name, title, value, limit, source, says, short in limits:
-        if limit is not None:
-            remedy, otherwise = advice[ACROSS_RULES[name].tension]
-            words = Words(
-                title=title,
-                source=source,
-                says=says,
-                short=short,
-                remedy=remedy,
-                otherwise=otherwise,
-            )
-            yield ACROSS_RULES[name].judged(value, limit, place, words)
+         "Creep {value} exceeds the {limit} limit", "creep"),
+    )  # fmt: skip
+    for name, title, noun, value, limit, source, headline, label in rows:
+        if limit is None:
+            continue
+        text = CheckText(
+            title=f"{title}, worst strip",
+            noun=noun,
+            source=source,
+            headline=headline,
+            label=label,
+            action="Try an even face.",
+        )
+        yield ACROSS_RULES[name].compare(value, limit, place._replace(spot=WORST_STRIP), text)
     yield from _crown(drive, pulley)
+
+
+#: Where an uneven pulley is judged.
+WORST_STRIP = "worst strip"
 
 
 def _crown(drive: Drive, pulley: Pulley) -> Iterator[Check]:
@@ -208,17 +221,18 @@ def _crown(drive: Drive, pulley: Pulley) -> Iterator[Check]:
         return
     cord = drive.belt.kind == "steel cord"
     on_diameter = 2.0 * shell.crown
-    words = Words(
-        title="Crown of the pulley, on diameter",
+    text = CheckText(
+        title="Crown",
+        noun="crown",
         source="at most 1/8 in per foot of width for fabric, none for steel cord; customary",
-        short="crowned too high",
-        says="Steel-cord belts run on pulleys without a crown; this one has {value} on diameter."
+        label="crown",
+        headline="Crown {value} is not allowed with steel cord"
         if cord
-        else "The crown, {value} on diameter, is higher than the customary {limit}.",
-        remedy="Turn the crown off, or train the belt by its idlers.",
+        else "Crown {value} on diameter exceeds the {limit} limit",
+        action="Use a pulley without crown." if cord else "Use a crown of {limit} or less.",
     )
     most = 0.0 if cord else LARGEST_CROWN * drive.belt.width
-    yield ACROSS_RULES["crown"].judged(on_diameter, most, Place(pulley.name), words)
+    yield ACROSS_RULES["crown"].compare(on_diameter, most, Place(pulley.name), text)
 
 
 def _extent(belt: Belt, pulley: Pulley) -> Iterator[Check]:
@@ -227,17 +241,17 @@ def _extent(belt: Belt, pulley: Pulley) -> Iterator[Check]:
     for name, profile in (pulley.across.profiles() if pulley.across else {}).items():
         if not profile.position or profile.position[-1] - profile.position[0] >= least:
             continue
-        words = Words(
-            title=f"Extent of the profile {name}",
-            source="a tenth of the width: a profile of the face reaches further",
-            short="profile too narrow",
-            says=f"The rows of {name} reach over {{value}} of a belt {{width}} wide: were inches "
-            "read as millimetres?",
-            more={"width": (belt.width, "length")},
-            remedy="Give every position its unit, and rows over the whole face.",
+        text = CheckText(
+            title="Profile width",
+            noun="profile width",
+            source="a tenth of the belt width",
+            label="profile width",
+            headline=f"Profile {name} covers {{value}} of a {{width}} belt",
+            action="Check the unit of position: inches.",
+            more={"width": Amount(belt.width, "length")},
         )
         extent = profile.position[-1] - profile.position[0]
-        yield ACROSS_RULES["profile_extent"].judged(extent, least, Place(pulley.name), words)
+        yield ACROSS_RULES["profile_extent"].compare(extent, least, Place(pulley.name), text)
 
 
 def _wear(result: AcrossResult, place: Place) -> Check:
@@ -247,17 +261,13 @@ def _wear(result: AcrossResult, place: Place) -> Check:
     level = float(np.min(np.abs(depth[depth < 0.0]))) if grows else float(np.max(depth))
     return Check(
         name="uneven_wear",
-        title="Uneven wear of the lagging levels itself",
+        title="Wear across width",
+        noun="wear across width",
         level=Level.ATTENTION if grows else Level.OK,
-        short="uneven wear grows" if grows else "",
-        says="Uneven wear grows, as on every pulley that brakes: each {depth} of mean wear makes "
-        "it 2.7 times as large."
-        if grows
-        else "",
-        remedy="Measure the lagging over its width regularly, and dress or renew it in time."
-        if grows
-        else "",
-        more={"depth": (level, "length")},
+        label="uneven wear" if grows else "",
+        headline="Uneven wear grows 2.7 times per {depth} worn" if grows else "",
+        action="Try measuring the lagging across its width at each stop." if grows else "",
+        more={"depth": Amount(level, "length")},
         place=place,
         binding=False,
     )

@@ -11,16 +11,15 @@ import numpy as np
 from wraparc.alike import largest
 from wraparc.arc import ArcResult, Status
 from wraparc.arrays import Number
-from wraparc.checks.check import Check, Level, Place, escaped
+from wraparc.checks.check import Amount, Check, Level, Place, escaped
 from wraparc.checks.design_standard import find_requirement
 from wraparc.checks.gross_slip import rises, sliding
-from wraparc.checks.numbers import required_slack, balance_miss, idles, steepest
-from wraparc.checks.of_drive import LARGER_CREEP, tests_of
+from wraparc.checks.numbers import balance_miss, idles, required_slack, steepest
+from wraparc.checks.of_drive import EXTRAPOLATED, LARGER_CREEP, tests_of
 from wraparc.checks.rule import At, CheckText, Rule, Spot, State, idle, not_checked, origin
 from wraparc.checks.sliding import CREEP, MOST, NOT_CARRIED, SLIDES, TESTED, Sliding
 from wraparc.drive import CREEP_LIMIT, Criteria, Drive, LoadCase, TakeUp
 from wraparc.drive.pitch import turns_an_hour
-from wraparc.units import Dimension
 
 #: Largest miss of the energy balance that a solution is trusted with [-]; the usual mesh misses by
 #: 1.4e-5 at 0.8 m of creep, and by less than 1e-7 at creeps that a drive has.
@@ -91,7 +90,11 @@ def of_sliding(drive: Drive, case: LoadCase, result: ArcResult, found: Sliding) 
         fails=NO_SAFETY,
         full=f"{FIRST[found.cause].replace('⟦lagging⟧', lagging)} Safety factor {case.kind}, "
         f"{constant_words(take_up)}.",
-        more={"slides": (SLIDES, "length"), "safety": (value, "number"), "one": (1.0, "number")},
+        more={
+            "slides": Amount(SLIDES, "length"),
+            "safety": Amount(value, "number"),
+            "one": Amount(1.0, "number"),
+        },
     )
     check = rule.compare(value, factor, place, text)
     return replace(check, level=NO_GRIP, headline=NO_SAFETY) if gone else check
@@ -116,9 +119,7 @@ def constant_words(take_up: TakeUp) -> str:
 def _standard(of: Spot) -> Iterator[Check]:
     """Check the slack side against the design standard, where one is asked for."""
     criteria, pulley = of.drive.criteria, of.pulley
-    found = find_requirement(
-        criteria.standard, criteria.take_up, pulley.lagging, pulley.wrap_angle
-    )
+    found = find_requirement(criteria.standard, criteria.take_up, pulley.lagging, pulley.wrap_angle)
     tensions, rule = of.case.tensions[pulley.name], DESIGN_STANDARD.for_drive(of.drive)
     if found is None or idles(tensions.entry, tensions.exit):
         return
@@ -151,7 +152,9 @@ def _standard(of: Spot) -> Iterator[Check]:
         noun=noun,
         source=found.source,
         label="below standard",
-        headline=escaped(f"{slack} ") + "{value} " + escaped(f"is below the {found.name} minimum ")
+        headline=escaped(f"{slack} ")
+        + "{value} "
+        + escaped(f"is below the {found.name} minimum ")
         + "{limit}",
         action="Set design_standard.name." if assumed else "",
         full=f"{escaped(found.how)}{start}.{assumed}",
@@ -199,10 +202,10 @@ def _creep(of: Spot) -> CheckText:
         fails="Creep {creep} exceeds {slides}: gross slip",
         full=_allowance(of.drive, limit),
         more={
-            "creep": (of.state.found.get("exit_creep", math.nan), "length"),
-            "slides": (SLIDES, "length"),
-            "fabric": (LARGER_CREEP["fabric"], "force_per_width"),
-            "allowed": (2.0 * CREEP_LIMIT, "length"),
+            "creep": Amount(of.state.found.get("exit_creep", math.nan), "length"),
+            "slides": Amount(SLIDES, "length"),
+            "fabric": Amount(LARGER_CREEP["fabric"], "force_per_width"),
+            "allowed": Amount(2.0 * CREEP_LIMIT, "length"),
         },
     )
 
@@ -212,6 +215,10 @@ EXIT_CREEP = Rule(
     dimension="length", tension="raise", result="exit_creep", limit=_creep_limit,
     of_runs=False, text=_creep,
 )  # fmt: skip
+
+
+#: Of a law that does not say what its slip includes, on a belt with a cover.
+COVER_UNKNOWN = "Unknown whether the tested slip includes the shear of the belt cover"
 
 
 def _cover_creep(of: Spot) -> Iterator[Check]:
@@ -232,7 +239,7 @@ def _cover_creep(of: Spot) -> Iterator[Check]:
         if math.isfinite(found)
         else "Gross slip with belt cover in series",
         action="Give the test belt cover ([test_belt]).",
-        full="Unknown: whether the tested slip includes the shear of the belt cover.",
+        full=f"{COVER_UNKNOWN}.",
     )
     yield rule.compare(abs(found), of.state.creep_limit, of.place, text)
 
@@ -329,7 +336,7 @@ def _fatigue(of: Spot) -> CheckText:
     if speed is not None and of.result is not None:
         full = "The belt passes {passes} times an hour."
         pitch = of.result.arc.radius + of.result.arc.offset
-        more["passes"] = turns_an_hour(speed, pitch), "number"
+        more["passes"] = Amount(turns_an_hour(speed, pitch), "number")
     return replace(
         text,
         title="Cyclic shear stress",
@@ -355,7 +362,7 @@ def _stress(of: Spot, key: str) -> CheckText:
     return CheckText(
         title="",
         source=origin(lagging.source_of(key)),
-        more=dict[str, tuple[float, Dimension]](stress=(stress, "pressure")),
+        more={"stress": Amount(stress, "pressure", "up")},
         missing=f"lagging.{key}" if getattr(lagging, key) is None else "",
     )
 
@@ -377,12 +384,10 @@ def _slip(of: Spot) -> CheckText | None:
         headline="Slip {value} exceeds the tested {limit}",
         action="Test the lagging to {slip} slip.",
         full=EXTRAPOLATED,
-        more={"slip": (slip, "length")},
+        more={"slip": Amount(slip, "length", "up")},
     )
 
 
-#: What is true of friction outside its tests.
-EXTRAPOLATED = "There the friction is extrapolated."
 TESTED_SLIP = Rule(
     "tested_slip", "the maximum slip tested", dimension="length", tension="raise",
     result="largest_slip", allowed=_slip_max, text=_slip,
@@ -412,7 +417,7 @@ def _speed(of: Spot) -> CheckText | None:
         headline="Slip speed {value} exceeds the tested {limit}",
         action="Test the lagging at {speed}.",
         full="How the friction changes with slip speed is unknown.",
-        more={"speed": (speed, "speed")},
+        more={"speed": Amount(speed, "speed", "up")},
     )
 
 

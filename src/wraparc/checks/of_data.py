@@ -17,33 +17,36 @@ def _condition(of: Spot) -> Iterator[Check]:
     """Ask for attention where a law stands for a surface that it was not tested on."""
     lagging = of.pulley.lagging
     if SCALED in lagging.sources:
-        grounds, _ = law_words(lagging)
-        law = "one without tests" if "untested" in grounds else "a tested one"
-        law = "an illustrative one" if "illustrative" in grounds else law
-        says = f"its law is {law} scaled as a whole ({lagging.notes[-1]})"
-        yield _untested(of, lagging.condition, SCALED, says)
+        factor = 1.0 if lagging.scaled_by is None else lagging.scaled_by
+        used = f"dry friction times {factor:.3g} used"
+        full = f"Source of the factor: {origin(lagging.sources[SCALED])}."
+        yield _untested(of, lagging.condition, SCALED, used, full)
     if WORN in lagging.sources:
-        says = "its law is that of before, and what wear takes off the friction is not known"
-        yield _untested(of, WORN, WORN, says)
+        yield _untested(of, WORN, WORN, "unworn friction used", "")
 
 
-def _untested(of: Spot, state: str, part: str, says: str) -> Check:
+def _untested(of: Spot, state: str, part: str, used: str, full: str) -> Check:
     lagging = of.pulley.lagging
     return Check(
         name=CONDITION.name,
-        title=f"Friction of {lagging.name}, {state}",
+        title=f"Friction, {state}",
+        noun=f"friction, {state}",
         level=CONDITION.missed,
         place=of.place,
         source=origin(lagging.sources[part]),
-        short=f"not tested {state}",
-        says=escaped(f"Lagging {lagging.name} was not tested {state}: {says}."),
-        remedy=f"Test the lagging {escaped(state)}.",
+        label=f"not tested {state}",
+        headline=escaped(f"{lagging.name} not tested {state}: {used}"),
+        action=f"Test the lagging {escaped(state)}.",
+        full=escaped(full),
         binding=False,
     )
 
 
 CONDITION = Rule(
-    "condition", "friction that was not tested in the condition", binding=False, asked=_condition
+    "condition",
+    "friction that was not tested in the condition",
+    binding=False,
+    find_checks=_condition,
 )
 
 
@@ -56,21 +59,20 @@ def _fit(of: Spot) -> Iterator[Check]:
     others = f" (and {len(more)} more of its lagging file)" if more else ""
     yield Check(
         name=FIT.name,
-        title=f"Friction of {lagging.name}, fit to its tests",
+        title="Friction fit",
+        noun="friction fit",
         level=FIT.missed,
         place=of.place,
         source=origin(lagging.sources.get("law", lagging.provenance)),
-        short="does not fit its tests",
-        says=escaped(
-            f"The friction law of lagging {lagging.name} does not describe its tests: "
-            f"{first.rstrip('.')}{others}.{_accepted(lagging.fit.misfit_accepted)}"
-        ),
-        remedy="Mend or repeat those tests and fit again.",
+        label="friction fit",
+        headline=escaped(f"Friction law of {lagging.name} deviates from its tests"),
+        action="Repeat these tests and refit (wraparc fit).",
+        full=escaped(f"{first.rstrip('.')}{others}.{_accepted(lagging.fit.misfit_accepted)}"),
         binding=False,
     )
 
 
-FIT = Rule("fit", "friction that does not fit its tests", binding=False, asked=_fit)
+FIT = Rule("fit", "friction that does not fit its tests", binding=False, find_checks=_fit)
 OF_LAW = (CONDITION, FIT)
 
 
@@ -79,27 +81,39 @@ def _accepted(reason: str) -> str:
 
 
 def data(drive: Drive, pulley: Pulley) -> Check:
-    """Say on what data the answer for a pulley stands; the weakest decides."""
+    """Return the weak inputs that the answer for a pulley is based on."""
     lagging = pulley.lagging
-    found: dict[str, list[str]] = {}
-    for kind, what in weak_sources(drive, pulley):
-        found.setdefault(kind, []).append(what)
-    grounds, words = law_words(lagging)
-    words += [
-        f"{kind.capitalize()}: {', '.join(dict.fromkeys(found[kind]))}."
+    sources: dict[str, list[str]] = {}
+    weak: list[tuple[str, str, str]] = []
+    grounds, sentences = law_words(lagging)
+    weak += [(kind, "friction", "friction") for kind in grounds if kind in GROUNDS]
+    for kind, key, owner in weak_sources(drive, pulley):
+        word = key_word(key)
+        sources.setdefault(kind, []).append(f"{word} of {owner}" if owner != word else word)
+        weak.append((kind, key, word))
+    sentences += [
+        f"{kind.capitalize()}: {', '.join(dict.fromkeys(sources[kind]))}."
         for kind in WEAK_KINDS
-        if kind in found
+        if kind in sources
     ]
-    worst = next((word for kind, word in GROUNDS.items() if kind in (*grounds, *found)), "")
     return Check(
         name="data",
-        title="Data that the answer stands on",
+        title="Data line",
         level=Level.OK,
         place=Place(pulley.name),
-        short=worst,
-        says=escaped(" ".join(words)),
+        full=escaped(" ".join(sentences)),
+        weak=tuple(weak),
         binding=False,
     )
+
+
+#: Symbols of inputs, in the place of their keys.
+SYMBOLS = {"shear_modulus": "G", "compression_modulus": "E_c"}
+
+
+def key_word(key: str) -> str:
+    """Return how an input is called in the line on the data."""
+    return SYMBOLS.get(key, key.replace("_", " "))
 
 
 def law_words(lagging: Lagging) -> tuple[list[str], list[str]]:
@@ -111,21 +125,21 @@ def law_words(lagging: Lagging) -> tuple[list[str], list[str]]:
     return [law, *(["untested"] if untested else [])], words
 
 
-def weak_sources(drive: Drive, pulley: Pulley) -> Iterator[tuple[str, str]]:
-    """Yield each number that is illustrative, calibrated or estimated, with its kind."""
+def weak_sources(drive: Drive, pulley: Pulley) -> Iterator[tuple[str, str, str]]:
+    """Yield each input that is illustrative, calibrated or estimated: kind, key and owner."""
     lagging, belt = pulley.lagging, drive.belt
     owners = (
         (lagging.name, {k: v for k, v in lagging.sources.items() if k != "law"}),
-        ("the belt", belt.sources),
+        ("belt", belt.sources),
         (f"pulley {pulley.name}", pulley.sources),
     )
-    told = [(f"{k.replace('_', ' ')} of {owner}", v) for owner, of in owners for k, v in of.items()]
+    stated = [(key, owner, source) for owner, of in owners for key, source in of.items()]
     if pulley.across is not None and belt.in_plane_shear_stiffness is None:
-        yield "estimated", "in-plane shear stiffness of the belt"
+        yield "estimated", "in_plane_shear_stiffness", "belt"
     if covered(belt) and belt.cover_shear_modulus is None:
-        yield "estimated", "cover shear modulus of the belt"
-    for what, source in (*told, ("the belt", belt.provenance)):
-        yield from ((kind, what) for kind in weaknesses(source))
+        yield "estimated", "cover_shear_modulus", "belt"
+    for key, owner, source in (*stated, ("belt", "belt", belt.provenance)):
+        yield from ((kind, key, owner) for kind in weaknesses(source))
 
 
 def weaknesses(source: Provenance) -> Iterator[str]:
@@ -138,13 +152,8 @@ def weaknesses(source: Provenance) -> Iterator[str]:
 
 #: In the order in which they are told.
 WEAK_KINDS = ("illustrative", "calibrated", "estimated")
-#: What the answer then stands on, the weakest first.
-GROUNDS = {
-    "illustrative": "on illustrative data",
-    "untested": "on friction without tests",
-    "estimated": "on estimated data",
-    "calibrated": "on calibrated data",
-}
+#: In what ways friction may be weak, the worst first.
+GROUNDS = ("illustrative", "untested", "estimated", "calibrated")
 _LAWS = {
     "illustrative": "illustrative: it describes no real product",
     "calibrated": "calibrated: it was fitted to a known result",

@@ -7,32 +7,32 @@ from collections.abc import Iterator, Sequence
 
 from wraparc.alike import falling
 from wraparc.arrays import Number
-from wraparc.checks.check import Check, Level, Place, escaped
+from wraparc.checks.check import Amount, Check, Level, Place, escaped
 from wraparc.checks.numbers import (
     COVERS_APART,
     LEAST_SHIFT,
     USUAL_STRENGTH,
-    held_alike,
+    has_equal_tension,
     idles,
     same_shown,
     trim_shift,
 )
-from wraparc.checks.rule import At, Rule, Spot, State, Words, origin
+from wraparc.checks.rule import At, CheckText, Rule, Spot, State, origin
 from wraparc.drive import Belt, Drive, LoadCase, Pulley
 from wraparc.drive.pitch import pitch_offset
 
 #: Part by which tensions of neighbouring pulleys may differ: rounding of what was typed [-].
 MEETS = 0.02
 #: What the effect of a belt's thickness needs.
-COVERS = "Give the pulley cover, carry cover and carcass of the belt."
+COVERS = "Give pulley_cover, carry_cover and carcass."
 #: Belts that may creep more than the customary limit, by carcass: rating above which [N/m].
-MORE_CREEP = {"steel cord": 1600e3, "fabric": 140e3}
+LARGER_CREEP = {"steel cord": 1600e3, "fabric": 140e3}
 #: Breaking strength over the largest tension that is customary, by carcass, where no rating says
 #: it: 15 % of the strength of steel cord, 8 of fabric; and the least of any belt [-].
 CUSTOMARY_SAFETY, WEAKEST = {"steel cord": 1.0 / 0.15, "fabric": 8.0}, 3.0
 #: Strength over rating of any belt, at least: a rating that leaves less is not one to rely on [-].
 LEAST_RATED = USUAL_STRENGTH[0]
-NO_RATING = "the rating of the belt is not given"
+NO_RATING = "belt.rating"
 
 
 def unknown_trims(belt: Belt, pulleys: Sequence[Pulley], at: Place) -> Iterator[Check]:
@@ -63,23 +63,27 @@ def open_shift(belt: Belt, first: Pulley, other: Pulley) -> float:
 
 def unknown_trim(first: str, shift: float, opposite: bool, place: Place) -> Check:
     """Ask for the thickness of a belt on drums that differ: so much of the trim is open [-]."""
-    why = f"{{layer}} of belt on drums of two diameters shifts it by {{shift}} % against {first}."
+    first = escaped(first)
     if opposite:
         why = (
-            f"it meets the other side of the belt than {first}, and covers that differ by "
-            "{apart} shift it by {shift} %."
+            f"The belt turns its other side to {first}: covers that differ by {{apart}} were "
+            "assumed."
         )
+    else:
+        why = f"{{layer}} of belt assumed: pulleys of two diameters, compared with {first}."
     return Check(
         name=BELT_THICKNESS.name,
-        title="Trim by the thickness of the belt",
+        title="Trim, belt thickness",
+        noun="trim",
         level=BELT_THICKNESS.missed,
         place=place,
-        short="trim without belt thickness",
-        says=f"The trim of {escaped(place.pulley)} is that of a belt without thickness: {why}",
-        remedy=COVERS,
+        label="trim without belt thickness",
+        headline="Trim uncertain by {shift} %: belt thickness missing",
+        action=COVERS,
+        full=why,
         more={
-            "shift": (100.0 * shift, "number"),
-            "apart" if opposite else "layer": (COVERS_APART if opposite else 10e-3, "length"),
+            "shift": Amount(100.0 * shift, "number"),
+            "apart" if opposite else "layer": Amount(COVERS_APART if opposite else 10e-3, "length"),
         },
         binding=False,
     )
@@ -132,54 +136,62 @@ def _momentary_tension(of: At) -> float | None:
     return allowed_tension(of.drive.belt, of.case.kind) if of.case.kind != "running" else None
 
 
-def _running(of: Spot) -> Words | None:
-    return _of_tension(of, "Belt tension, running") if of.case.kind == "running" else None
+def _running(of: Spot) -> CheckText | None:
+    if of.case.kind != "running":
+        return None
+    return tension_text(of.drive.belt, of.case.kind, of.state.tight)
 
 
-def _momentary(of: Spot) -> Words | None:
-    return _of_tension(of, "Belt tension, momentary") if of.case.kind != "running" else None
+def _momentary(of: Spot) -> CheckText | None:
+    if of.case.kind == "running":
+        return None
+    return tension_text(of.drive.belt, of.case.kind, of.state.tight)
 
 
-def _of_tension(of: Spot, title: str) -> Words:
-    belt, momentary = of.drive.belt, of.case.kind != "running"
+def tension_text(belt: Belt, kind: str, tension: float) -> CheckText:
+    """Return the texts of the check of a belt tension [N] in a kind of load case."""
+    momentary, noun = kind != "running", "belt tension"
+    title = "Belt tension, momentary" if momentary else "Belt tension, running"
     if belt.rating is None:
-        return Words(title=title, missing=NO_RATING)
-    factor = tension_factor(belt, of.case.kind)
-    said = f"its rating times {factor:g}" if factor != 1.0 else "its rating"
-    remedy = "Lower the slack-side tension as far as the other checks allow, or take a wider or "
-    remedy, otherwise = f"{remedy}stronger belt.", "Take a wider or stronger belt."
+        return CheckText(title=title, noun=noun, missing=NO_RATING)
+    factor = tension_factor(belt, kind)
+    times = f" times {factor:g}" if factor != 1.0 else ""
+    rated = belt.rating * belt.width
+    action = "Use a belt rated {rated} (now {rating})."
     if momentary and belt.momentary_factor is None:
-        remedy = (
-            "Give the momentary factor of the belt if the maker allows more while starting and "
-            "braking; else take a stronger belt."
-        )
-        otherwise = ""
-    return Words(
+        action = "Give momentary_factor {factor} if the maker allows it."
+    needed = tension / (belt.width * factor)
+    return CheckText(
         title=title,
-        source=f"rating of the belt{f' times {factor:g}' if factor != 1.0 else ''}: "
-        f"{origin(belt.sources.get('rating', belt.provenance))}",
-        short="over belt rating",
-        says=f"The belt tension {{value}} is more than {said} allows, {{limit}}; it is {{share}} % "
-        "of the rating.",
-        remedy=remedy,
-        otherwise=otherwise,
-        more={"share": (100.0 * of.state.tight / (belt.rating * belt.width), "number")},
+        noun=noun,
+        source=f"rating of the belt{times}: {origin(belt.sources.get('rating', belt.provenance))}",
+        label="belt tension",
+        headline="Belt tension {value} exceeds the {limit} "
+        + ("momentary rating" if momentary and factor != 1.0 else "rating"),
+        action=action,
+        full=f"That is {{share}} % of the rating{f', factor {factor:g}' if times else ''}.",
+        more={
+            "share": Amount(100.0 * tension / rated, "number"),
+            "factor": Amount(tension / rated, "number", "up"),
+            "rated": Amount(needed, "force_per_width", "up"),
+            "rating": Amount(belt.rating, "force_per_width"),
+        },
     )
 
 
 BELT_TENSION = Rule(
     "belt_tension", "the rating of the belt", missed=Level.FAILS, dimension="force",
     tension="lower", value=_tight, allowed=_running_tension, limit=_over_width, of_runs=False,
-    words=_running,
+    text=_running,
 )  # fmt: skip
 MOMENTARY_TENSION = Rule(
     "momentary_tension", "the momentary rating of the belt", missed=Level.FAILS, dimension="force",
     tension="lower", value=_tight, allowed=_momentary_tension, limit=_over_width, of_runs=False,
-    words=_momentary,
+    text=_momentary,
 )  # fmt: skip
 
 
-def asked_safety(belt: Belt, kind: str) -> float:
+def required_safety(belt: Belt, kind: str) -> float:
     """Breaking strength over tension that a belt is to have in a kind of load case [-].
 
     What its rating leaves, the demand of its maker; without one, or where it leaves less than any
@@ -212,46 +224,47 @@ def _rounded_safety(safety: float, asked: float, state: State[float]) -> float:
     return asked if safety < asked and same_shown(state.tight, allowed) else safety
 
 
-def _asked_safety(of: At) -> float:
-    return asked_safety(of.drive.belt, of.case.kind)
+def _required_safety(of: At) -> float:
+    return required_safety(of.drive.belt, of.case.kind)
 
 
 def _rated(drive: Drive) -> bool:
     return rated(drive.belt)
 
 
-def _safety(of: Spot) -> Words:
+def _safety(of: Spot) -> CheckText:
     """Against what the rating leaves, as its maker asks, or what is customary without one."""
     belt, momentary, factor = of.drive.belt, of.case.kind != "running", ""
-    title = f"Safety factor of the belt, {'momentary' if momentary else 'running'}"
+    title, noun = "Belt safety factor", "belt safety factor"
     if belt.breaking_strength is None:
-        return Words(title=title, missing="the strength of the belt is not given")
-    if math.isnan(asked_safety(belt, of.case.kind)):
-        why = "neither rating nor kind of the belt tells what it is to be"
-        return Words(title=title, missing=why)
+        return CheckText(title=title, noun=noun, missing="belt.strength")
+    required = required_safety(belt, of.case.kind)
+    if math.isnan(required):
+        return CheckText(title=title, noun=noun, missing="belt.rating")
     if momentary and belt.momentary_factor is not None:
         factor = f" over momentary_factor, {belt.momentary_factor:g}"
     source = f"customary for {belt.kind}, by works that follow DIN 22101{factor}"
     if belt.kind not in CUSTOMARY_SAFETY:
-        source = f"the least that any belt is rated with{factor}"
+        source = f"the minimum that any belt is rated with{factor}"
     if rated(belt):
         source = f"strength over rating of the belt{factor}: {origin(belt.source_of('rating'))}"
-    return Words(
+    needed = required * of.state.tight / belt.width
+    return CheckText(
         title=title,
+        noun=noun,
         source=source,
-        short="belt safety factor",
-        says="The strength of the belt is {value} times its tension, below {limit} times.",
-        because="No belt is rated at more than a third of its strength.",
-        remedy="Lower the slack-side tension as far as the other checks allow, or take a wider or "
-        "stronger belt.",
-        otherwise="Take a wider or stronger belt.",
+        label="belt safety factor",
+        headline="Belt safety factor {value} is below the {limit} minimum",
+        action="Use a belt of strength {strength} or more.",
+        full="The minimum is strength over rating." if rated(belt) else "The minimum is customary.",
+        more={"strength": Amount(needed, "force_per_width", "up")},
     )
 
 
 BELT_SAFETY = Rule(
     "belt_safety", "the safety factor of the belt", at_most=False, fails_beyond=WEAKEST,
-    tension="lower", firm=_rated, value=_belt_safety, allowed=_asked_safety,
-    rounded=_rounded_safety, of_runs=False, words=_safety,
+    tension="lower", firm=_rated, value=_belt_safety, allowed=_required_safety,
+    rounded=_rounded_safety, of_runs=False, text=_safety,
 )  # fmt: skip
 
 
@@ -259,23 +272,38 @@ def _face_pressure(of: At) -> float | None:
     return of.drive.belt.largest_wrap_pressure
 
 
-def _on_face(of: Spot) -> Words:
-    belt, title = of.drive.belt, "Pressure on the pulley face"
+def _on_face(of: Spot) -> CheckText:
+    belt, title, noun = of.drive.belt, "Face pressure", "face pressure"
     if belt.largest_wrap_pressure is None:
-        return Words(title=title, missing="the largest wrap pressure of the belt is not given")
-    return Words(
+        return CheckText(title=title, noun=noun, missing="belt.largest_wrap_pressure")
+    return CheckText(
         title=title,
+        noun=noun,
         source=origin(belt.sources.get("largest_wrap_pressure", belt.provenance)),
-        short="face pressure",
-        says="The belt presses on the pulley face with {value}, more than {limit}.",
-        remedy="Take a larger or wider pulley, or less tension.",
-        otherwise="Take a larger or wider pulley.",
+        label="face pressure",
+        headline="Face pressure {value} exceeds the belt limit {limit}",
+        action=LARGER_PULLEY,
+        more=_diameter_for(of, belt.largest_wrap_pressure),
     )
+
+
+#: What to do about a pressure, with the diameter that it takes.
+LARGER_PULLEY = "Use a pulley of {larger} (now {diameter})."
+
+
+def _diameter_for(of: Spot, allowed: float) -> dict[str, Amount]:
+    """Return the diameter that leaves an allowed pressure, rounded up, and the one there is."""
+    pressure = wrap_pressure(of.state.tight, of.state)
+    larger = of.state.diameter * pressure / allowed
+    return {
+        "larger": Amount(larger, "length", "up"),
+        "diameter": Amount(of.state.diameter, "length"),
+    }
 
 
 FACE_PRESSURE = Rule(
     "face_pressure", "the pressure on the pulley face", dimension="pressure", tension="lower",
-    value=_tight_pressure, allowed=_face_pressure, words=_on_face,
+    value=_tight_pressure, allowed=_face_pressure, text=_on_face,
 )  # fmt: skip
 #: What the belt must bear at a pulley.
 OF_BELT = (BELT_TENSION, MOMENTARY_TENSION, BELT_SAFETY, FACE_PRESSURE)
@@ -291,40 +319,48 @@ def _pressure_min(of: At) -> float | None:
     return None if tested is None else tested.pressure_min
 
 
-def _tested_max(of: Spot) -> Words:
-    if of.pulley.lagging.law.tested is None:  # of both ends, once
-        why = "the friction law states no tests"
-        return Words(title="Wrap pressure within the tests", missing=why)
-    otherwise = "Take a larger or wider pulley, or test the lagging at this pressure."
-    return _of_pressure(of, "Largest", "above", "Lower the tension, t", otherwise)
-
-
-def _tested_min(of: Spot) -> Words | None:
-    if of.pulley.lagging.law.tested is None:
-        return None
-    otherwise = "Test the lagging at this pressure."
-    return _of_pressure(of, "Least", "below", "Raise the slack-side tension, or t", otherwise)
-
-
-def _of_pressure(of: Spot, end: str, beyond: str, tension: str, otherwise: str) -> Words:
-    return Words(
-        title=f"{end} wrap pressure, tested",
+def _tested_max(of: Spot) -> CheckText:
+    tested = of.pulley.lagging.law.tested
+    title, noun = "Maximum wrap pressure", "maximum wrap pressure"
+    if tested is None:  # of both ends, once
+        return CheckText(title=title, noun="tested wrap pressure", why="friction without tests")
+    return CheckText(
+        title=title,
+        noun=noun,
         source=tests_of(of.pulley),
-        short=f"pressure {beyond} tests",
-        says=f"The wrap pressure {{value}} is {beyond} the {{limit}} tested on lagging "
-        f"{escaped(of.pulley.lagging.name)}: there the friction is an extrapolation.",
-        remedy=f"{tension}{otherwise[1:]}",
-        otherwise=otherwise,
+        label="pressure above tests",
+        headline="Wrap pressure {value} exceeds the tested {limit}",
+        action=LARGER_PULLEY,
+        full=EXTRAPOLATED,
+        more=_diameter_for(of, tested.pressure_max),
     )
 
 
+def _tested_min(of: Spot) -> CheckText | None:
+    if of.pulley.lagging.law.tested is None:
+        return None
+    pressure = wrap_pressure(of.state.slack, of.state)
+    return CheckText(
+        title="Minimum wrap pressure",
+        noun="minimum wrap pressure",
+        source=tests_of(of.pulley),
+        label="pressure below tests",
+        headline="Wrap pressure {value} is below the tested {limit}",
+        action="Test the lagging at {pressure}.",
+        full=EXTRAPOLATED,
+        more={"pressure": Amount(pressure, "pressure", "down")},
+    )
+
+
+#: What is true of friction outside its tests.
+EXTRAPOLATED = "There the friction is extrapolated."
 PRESSURE_MAX = Rule(
-    "tested_pressure_max", "the largest wrap pressure tested", dimension="pressure",
-    tension="lower", value=_tight_pressure, allowed=_pressure_max, words=_tested_max,
+    "tested_pressure_max", "the maximum wrap pressure tested", dimension="pressure",
+    tension="lower", value=_tight_pressure, allowed=_pressure_max, text=_tested_max,
 )  # fmt: skip
 PRESSURE_MIN = Rule(
-    "tested_pressure_min", "the least wrap pressure tested", at_most=False, dimension="pressure",
-    tension="raise", value=_slack_pressure, allowed=_pressure_min, words=_tested_min,
+    "tested_pressure_min", "the minimum wrap pressure tested", at_most=False, dimension="pressure",
+    tension="raise", value=_slack_pressure, allowed=_pressure_min, text=_tested_min,
 )  # fmt: skip
 OF_TESTS = (PRESSURE_MAX, PRESSURE_MIN)
 
@@ -337,27 +373,28 @@ def _least_diameter(of: At) -> float | None:
     return of.drive.belt.least_pulley_diameter
 
 
-def _bends(of: Spot) -> Words:
+def _bending(of: Spot) -> CheckText:
     """Of a pulley, in all load cases."""
-    belt, title, pulley = of.drive.belt, "Pulley diameter, least for the belt", of.pulley
+    belt, title, pulley = of.drive.belt, "Pulley diameter", of.pulley
+    noun, least = "pulley diameter", belt.least_pulley_diameter
     ends = [case.tensions[pulley.name] for case in of.drive.load_cases]
-    if belt.least_pulley_diameter is None:
-        return Words(title=title, missing="the least pulley of the belt is not given")
+    if least is None:
+        return CheckText(title=title, noun=noun, missing="belt.least_pulley_diameter")
     if all(idles(at.entry, at.exit) for at in ends):
-        why = "that of the belt is the least drive pulley, and this one pulls nothing"
-        return Words(title=title, missing=why)
-    return Words(
+        return CheckText(title=title, noun=noun, why=f"{pulley.name} is not driven")
+    return CheckText(
         title=title,
+        noun=noun,
         source=origin(belt.sources.get("least_pulley_diameter", belt.provenance)),
-        short="pulley too small",
-        says=f"Pulley {escaped(pulley.name)}, {{value}}, is smaller than the least for its "
-        "belt, {limit}.",
+        label="pulley diameter",
+        headline="Pulley diameter {value} is below the belt minimum {limit}",
+        action="Use a pulley of {limit} or more.",
     )
 
 
 PULLEY_DIAMETER = Rule(
-    "pulley_diameter", "the least pulley of the belt", missed=Level.FAILS, at_most=False,
-    dimension="length", value=_diameter, allowed=_least_diameter, pulls=True, words=_bends,
+    "pulley_diameter", "the minimum pulley diameter of the belt", missed=Level.FAILS, at_most=False,
+    dimension="length", value=_diameter, allowed=_least_diameter, pulls=True, text=_bending,
 )  # fmt: skip
 
 
@@ -369,29 +406,34 @@ def _sag_tension(of: At) -> float | None:
     return None if of.drive.criteria.sag is None else of.drive.criteria.sag.tension
 
 
-def _sags(of: Spot) -> Words | None:
+def _sag(of: Spot) -> CheckText | None:
     """Of the pulley where the belt leaves the drives slack."""
-    title, limits = "Slack-side tension, for sag", of.drive.criteria.sag
+    title, limits = "T2 for sag", of.drive.criteria.sag
     if math.isnan(of.state.slack_end):
         return None
     if limits is None:
-        return Words(title=title, missing="idler spacing and mass are not given")
-    return Words(
+        return CheckText(title=title, noun="sag", missing="[sag]")
+    return CheckText(
         title=title,
+        noun="slack-side tension for sag",
         source=limits.SOURCE,
-        short="sags",
-        says=f"The slack side, {{value}}, sags more than {100.0 * limits.share:g} % of the idler "
-        "spacing; that takes {limit}.",
-        remedy="Raise the slack-side tension, or set the idlers closer.",
-        otherwise="Set the idlers closer.",
+        label="sag",
+        headline=f"Slack-side tension {{value}} is below the {{limit}} for "
+        f"{100.0 * limits.share:g} % sag",
+        action="Use idler spacing {spacing}.",
+        more={
+            "spacing": Amount(
+                limits.spacing * of.state.slack_end / limits.tension, "length", "down"
+            )
+        },
     )
 
 
 SAG = Rule(
     "sag", "the sag of the belt", at_most=False, dimension="force", tension="raise",
-    value=_slack_end, allowed=_sag_tension, words=_sags,
+    value=_slack_end, allowed=_sag_tension, text=_sag,
 )  # fmt: skip
-#: What a belt that nowhere hangs slack asks for; the take-up of a conveyor is held to it.
+#: The minimum take-up tension of a belt that nowhere hangs slack.
 TAUT = Rule("taut", "a belt that nowhere hangs slack", at_most=False, of_rows=False)
 
 
@@ -401,29 +443,31 @@ def take_up(drive: Drive) -> Iterator[Check]:
     if not kind or drive.conveyor is not None:
         return
     fixed = drive.criteria.take_up.fixed
-    held = {}
+    tensions = {}
     for case in drive.load_cases:
         first, last = (case.tensions[p.name] for p in (drive.pulleys[0], drive.pulleys[-1]))
-        held[case.name] = first.entry + last.exit if fixed else drive.take_up_tension(case)
-    ordered = falling(held, lambda name: held[name])
+        tensions[case.name] = first.entry + last.exit if fixed else drive.take_up_tension(case)
+    ordered = falling(tensions, lambda name: tensions[name])
     high, low = ordered[0], ordered[-1]
-    if held_alike(held[low], held[high]):
+    if has_equal_tension(tensions[low], tensions[high]):
         return
-    place = escaped(drive.take_up_place.removeprefix("at the take-up "))
-    what = f"the tension {place}" if place else "the slack-side tension"
-    what = "the sum of both tensions" if fixed else what
-    other = "" if fixed or drive.criteria.take_up.after else _steady(drive)
-    where = f", or say that it stands after pulley {other}" if other else ""
+    after = drive.criteria.take_up.after
+    what = f"tension behind {escaped(after)}" if after else "T2"
+    what = "T1 + T2" if fixed else what
+    other = "" if fixed or after else _steady(drive)
+    named = [Place(load_case=name) for name in (low, high)]
     yield Check(
         name="take_up",
-        title="Tensions that the take-up holds",
+        title="Take-up tension",
+        noun="take-up tension",
         level=Level.ATTENTION,
         source=f"take-up {kind}, as given",
-        short="contradicts take-up",
-        says=f"A {kind} take-up holds {what} at one value: it is {{least}} in load case "
-        f"{escaped(low)} and {{most}} in load case {escaped(high)}.",
-        remedy=f"Correct the tensions, or the kind of the take-up{escaped(where)}.",
-        more={"least": (held[low], "force"), "most": (held[high], "force")},
+        label="take-up tension",
+        headline=f"{kind.capitalize()} take-up needs equal {what}: {escaped(str(named[0]))} has "
+        f"{{least}}, {escaped(str(named[1]))} has {{most}}",
+        action=f"Set equal {what}, or correct take_up.kind or after.",
+        full=f"Behind {escaped(other)} the tension is equal in every load case." if other else "",
+        more={"least": Amount(tensions[low], "force"), "most": Amount(tensions[high], "force")},
         binding=False,
     )
 
@@ -432,7 +476,7 @@ def _steady(drive: Drive) -> str:
     """Return the pulley behind which the belt has the same tension in every load case, or none."""
     for pulley in drive.pulleys:
         behind = [case.tensions[pulley.name].exit for case in drive.load_cases]
-        if held_alike(min(behind), max(behind)):
+        if has_equal_tension(min(behind), max(behind)):
             return pulley.name
     return ""
 
@@ -441,10 +485,10 @@ def sense(case: LoadCase, pulley: Pulley) -> Check:
     """Return what the verdict says of a pulley that brakes, or pulls nothing where it should."""
     tensions = case.tensions[pulley.name]
     none = idles(tensions.entry, tensions.exit)
-    told = "pulls nothing (T1 = T2)" if none else "brakes (T1 < T2)"
+    what = "transmits no tension" if none else "brakes"
     return Check(
         name="sense",
-        title=f"Pulley {pulley.name} {told}",
+        title=f"{pulley.name} {what}",
         level=Level.OK,
         place=Place(pulley.name, case.name),
         binding=False,
@@ -457,15 +501,19 @@ def meeting(before: str, leaves: float, after: str, enters: float, place: Place)
         return
     yield Check(
         name="meeting",
-        title="Tensions of neighbouring pulleys meet",
+        title="Tension between pulleys",
+        noun="tension between pulleys",
         level=Level.ATTENTION,
         place=place,
-        short="tensions do not meet",
-        says=f"The belt leaves pulley {escaped(before)} with {{leaves}} and enters pulley "
-        f"{escaped(after)} with {{enters}}: taken as what the run between them adds.",
-        remedy="If none does, correct the tensions or the order of the pulleys; if one does, give "
-        f"what the run before pulley {escaped(after)} adds.",
-        more={"leaves": (leaves, "force"), "enters": (enters, "force")},
+        label="tensions differ",
+        headline=f"Belt leaves {escaped(before)} at {{leaves}} but enters {escaped(after)} at "
+        "{enters}",
+        action="Give equal tensions, or the run's rise {rise}.",
+        more={
+            "leaves": Amount(leaves, "force"),
+            "enters": Amount(enters, "force"),
+            "rise": Amount(enters - leaves, "force"),
+        },
         binding=False,
     )
 

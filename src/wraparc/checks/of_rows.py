@@ -16,10 +16,18 @@ from wraparc.arrays import Array, Codes, Flags, Integers
 from wraparc.batch import BatchResult, Setting
 from wraparc.batch.arcs import Arcs
 from wraparc.batch.scaled import solve_scaled
-from wraparc.checks.check import ADVICE, Level, ahead, behind, keeps, margin_to
+from wraparc.checks.check import Level, keeps, margin_to
 from wraparc.checks.design_standard import wrap_factors
 from wraparc.checks.gross_slip import given_up, rises_of
-from wraparc.checks.numbers import IDLE, NUMBERLESS, USUAL_SIZES, Sizes, compared_sizes
+from wraparc.checks.numbers import (
+    IDLE,
+    KIND_STEP,
+    MOST_USED,
+    USUAL_SIZES,
+    Sizes,
+    compared_sizes,
+    kind_of,
+)
 from wraparc.checks.of_arc import (
     COVER_CREEP,
     DESIGN_STANDARD,
@@ -345,7 +353,7 @@ def _factors(drives: Sequence[Drive], which: Integers, pulley: str, wrap_angle: 
 def worst_of_rows(
     solved: BatchResult, held: Held, factors: tuple[Array, Array], setting: Setting
 ) -> tuple[Codes, Codes, Array]:
-    """Return the verdict of every arc, the check that governs it, and by which margin.
+    """Return the verdict of every arc, the check that governs it, and its place in the order.
 
     As `judge` finds them for one pulley in one load case, but for the energy balance of the
     solution, which a batch does not report.
@@ -364,20 +372,37 @@ def worst_of_rows(
     Returns
     -------
     level, governing, margin
-        Places in `LEVELS` and `NAMES`, and the margin, shape (n,) each.
+        Places in `LEVELS` and `NAMES`, and what `order_of` gives of the check, shape (n,) each.
     """
     n = len(solved.arcs)
     level, governing = np.zeros(n, dtype=np.int8), np.zeros(n, dtype=np.int8)
     least = np.full(n, math.inf)
     for name, ranks, margins in row_checks(solved, held, factors, setting):
-        worse = (ranks > level) | ((ranks == level) & (ranks > 0) & (margins < least))
+        orders = _orders(name, ranks, margins)
+        worse = (ranks > level) | ((ranks == level) & (ranks > 0) & (orders < least))
         worse |= (ranks > 0) & (governing == 0)
         level = np.where(worse, ranks, level).astype(np.int8)
-        least = np.where(worse, margins, least)
+        least = np.where(worse, orders, least)
         governing = np.where(worse, NAMES.index(name), governing).astype(np.int8)
     lost = solved["status"] == REFUSED
     level[lost], governing[lost] = 0, 0
     return level, governing, least
+
+
+def _orders(name: str, ranks: Array, margins: Array) -> Array:
+    """Return the place of a check among those of its level, as `order_of` gives it."""
+    missed, used = ranks > Level.OK.rank, used_of_rows(margins, at_most=RULES[name].at_most)
+    shares = np.where(np.isfinite(used), np.minimum(used, MOST_USED), MOST_USED)
+    alone = np.where(np.isfinite(used), -used, math.inf)
+    return np.where(missed, kind_of(name) * KIND_STEP - shares, alone)
+
+
+def used_of_rows(margins: Array, *, at_most: bool) -> Array:
+    """Return how much of a limit is used, by its margin: see `used_of` [-]."""
+    if at_most:
+        return np.asarray(1.0 - margins)
+    with np.errstate(divide="ignore"):
+        return np.asarray(1.0 / np.maximum(1.0 + margins, 0.0))
 
 
 def row_checks(
@@ -442,18 +467,14 @@ def _compared(rule: Rule, held: Held, value: Array, limit: Array) -> tuple[Array
     missed[value > fails if rule.at_most else value < fails] = Level.FAILS.rank
     if rule is not DESIGN_STANDARD or firm is None:
         ranks, margins = _ranks(value, limit, missed, at_most=rule.at_most)
-        advice = (ranks > Level.OK.rank) & (rule.name in ADVICE)
     else:
         never = np.isinf(limit)  # it cannot be applied
         ranks, margins = _ranks(
             value, np.where(never, math.nan, limit), missed, at_most=rule.at_most
         )
-        # what has no number comes first where it binds a design, and last where it does not
         ranks = np.where(never, missed, ranks)
-        margins = np.where(never, np.where(firm, NUMBERLESS, math.inf), margins)
-        advice = (ranks > Level.OK.rank) & ~firm
-    margins = np.where(advice & np.isinf(value), math.inf, margins)  # has no number: last
-    return ranks, np.where(advice, behind(margins), margins)
+        margins = np.where(never, math.nan, margins)
+    return ranks, margins
 
 
 def _covered_creep(
@@ -525,8 +546,7 @@ def _gross_slip(
     ranks = np.where(np.isnan(factor), 0, ranks)
     ranks = np.where(gone, NO_GRIP.rank, ranks)
     ranks = np.where(fault, Level.FAULT.rank, ranks)
-    leads = ranks == Level.FAILS.rank
-    return ranks, np.where(leads, ahead(margins), margins)
+    return ranks, margins
 
 
 def _usual_sizes(held: Held) -> tuple[Array, Array]:

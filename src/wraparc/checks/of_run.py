@@ -13,24 +13,25 @@ from weakref import WeakKeyDictionary
 
 import numpy as np
 
-from wraparc.arc.result import MORE_FRICTION
+from wraparc.alike import largest
 from wraparc.checks import of_data, of_drive, of_wet
-from wraparc.checks.check import Check, Level, Place, Verdict
-from wraparc.checks.judge import diameters, sound
+from wraparc.checks.check import Amount, Check, Level, Place, escaped
+from wraparc.checks.judge import diameters
 from wraparc.checks.numbers import usual
-from wraparc.checks.of_arc import EXIT_CREEP, GROSS_SLIP
+from wraparc.checks.of_arc import EXIT_CREEP, GRIP_NOUN, GROSS_SLIP
 from wraparc.checks.of_train import MOTOR_HEAT, motor_load
-from wraparc.checks.rule import Spot, Words, not_checked, origin
+from wraparc.checks.rule import CheckText, Rule, Spot, not_checked
 from wraparc.checks.rules import OF_PULLEY, spot_of
 from wraparc.checks.sliding import SLIDES
 from wraparc.checks.usual import Ends, Owner, owners_of, unusual, usual_sizes
+from wraparc.checks.verdict import Verdict
 from wraparc.conveyor import GRAVITY
 from wraparc.drive import Drive, LoadCase, Pulley, Tensions
 from wraparc.errors import InputError
 from wraparc.train import Motor, Motors
 from wraparc.train.motors import MOMENTARY
 from wraparc.train.result import drive_with
-from wraparc.units import display, quantity
+from wraparc.units import quantity
 
 if TYPE_CHECKING:
     from wraparc.motion.event import Event
@@ -43,7 +44,7 @@ SETTLED = 0.1
 #: What an AC motor bears of overload: 1.5 times its rated current for 2 min (IEC 60034-1), as loss
 #: beyond that at rated torque over it, times time [s].
 HEAT = (1.5**2 - 1.0) * 120.0
-HEATING = "Heating of the motors beyond their rating"
+HEATING, HEATING_NOUN = "Motor heating", "motor heating"
 _LAST = 0.1  # of the run: what lasts
 
 _told: WeakKeyDictionary[RunResult, Verdict] = WeakKeyDictionary()
@@ -81,7 +82,7 @@ def judge_run(run: RunResult) -> Verdict:
     The same run is judged once, however often it is asked about.
     """
     if run not in _told:
-        _told[run] = Verdict(sound(tuple(_checks(run)), None))
+        _told[run] = Verdict(tuple(_checks(run)))
     return _told[run]
 
 
@@ -120,7 +121,8 @@ def _checks(run: RunResult) -> Iterator[Check]:
         spot = _spot(drive, case, pulley, drum, slackest)
         yield from _creeps(drive, pulley, drum, spot.place, bool(run.event.moves))
         for rule in OF_PULLEY:
-            yield from rule.checks(spot) if rule.of_runs else ()
+            if rule.of_runs:
+                yield from (_at_peak(check, rule, drum) for check in rule.checks(spot))
         yield from _motors(run, drum, spot.place)
     yield from diameters(drive)
     of, at = run.station.train, Place(event=run.event.name)
@@ -131,11 +133,13 @@ def _checks(run: RunResult) -> Iterator[Check]:
     yield from _pull_over_weight(run)
     sizes = [*usual_sizes(drive, *of_run(run.station, run.event))]
     yield from sizes
-    if not any(check.missed and "inertia" in check.title for check in sizes):
+    if not any(check.missed and "inertia" in check.noun for check in sizes):
         yield from _drums_over_conveyor(run)
     yield from (of_data.data(drive, pulley) for pulley in drive.pulleys)
     if not drive.criteria.covered and of_wet.is_dry_only(drive, case):
-        yield not_checked(of_wet.WET_CREEP.name, of_wet.TITLE, "the event was solved dry", at)
+        yield not_checked(
+            of_wet.WET_CREEP.name, of_wet.TITLE, of_wet.NOUN, at, why="the event was solved dry"
+        )
 
 
 def _slack_ends(run: RunResult) -> Iterator[tuple[float, str]]:
@@ -205,8 +209,8 @@ def _pull_over_weight(run: RunResult) -> Iterator[Check]:
     pull = sum(abs(drum.extremes.pull.value) for drum in run)
     over = pull / (run.station.conveyor_mass * GRAVITY)
     if not usual(over, *PULL_OVER_WEIGHT):
-        told = "largest pull of the drives over the weight of the conveyor_mass"
-        yield unusual(told, "number", Place(), over, PULL_OVER_WEIGHT)
+        name = "Te over the weight of conveyor_mass"
+        yield unusual(name, "number", Place(), over, PULL_OVER_WEIGHT)
 
 
 def _drums_over_conveyor(run: RunResult) -> Iterator[Check]:
@@ -221,9 +225,9 @@ def _drums_over_conveyor(run: RunResult) -> Iterator[Check]:
     at_belt = math.fsum(drum.inertia / radius**2 for drum, radius in drums)
     over = at_belt / run.station.conveyor_mass
     if not usual(over, *DRUMS_OVER_CONVEYOR):
-        told = "inertia of drums and motors at the belt over the conveyor_mass"
-        check = unusual(told, "number", Place(), over, DRUMS_OVER_CONVEYOR)
-        yield replace(check, remedy="Check inertia, motor_inertia, gear_ratio and conveyor_mass.")
+        name = "inertia at the belt over conveyor_mass"
+        check = unusual(name, "number", Place(), over, DRUMS_OVER_CONVEYOR)
+        yield replace(check, action="Check inertia, motor_inertia, gear_ratio and conveyor_mass.")
 
 
 def _case(run: RunResult) -> LoadCase:
@@ -254,11 +258,17 @@ def _end(run: RunResult) -> Iterator[Check]:
     failed = run.outcome in (Outcome.SLACK, Outcome.BREAKAWAY)
     yield Check(
         name="run",
-        title="Followed to its end",
+        title="Event completed",
+        noun="event",
         level=Level.FAILS if failed else Level.ATTENTION,
         place=Place(event=run.event.name),
-        says=f"{run.reason} {run.outcome.value}",
-        short="not followed to its end",
+        headline=escaped(run.reason),
+        action=""
+        if run.outcome is Outcome.CANCELLED
+        else "Give the pulley a backstop or brake."
+        if run.outcome is Outcome.TURNED_BACK
+        else "Try a higher T2 or a slower start.",
+        label="not completed",
     )
 
 
@@ -270,18 +280,19 @@ def _settled(run: RunResult) -> Iterator[Check]:
     told = run.event.moves and not (run.event.of(PowerFailure) or run.event.of(Measured))
     if speed is None or not told:
         return
-    asked = 0.0 if isinstance(run.event.moves[-1], Stop) else speed
-    if abs(end - asked) <= SETTLED * speed:
+    required = 0.0 if isinstance(run.event.moves[-1], Stop) else speed
+    if abs(end - required) <= SETTLED * speed:
         return
     yield Check(
         name="run",
-        title="Followed to its end",
+        title="Event completed",
+        noun="event",
         level=Level.ATTENTION,
         place=Place(event=run.event.name),
-        says=f"At the end of the run the belt runs at {quantity(end, 'speed')}, not "
-        f"{quantity(asked, 'speed')}: what comes until then is not seen.",
-        remedy="Give the event a longer duration.",
-        short="not followed to its end",
+        headline="Belt speed {end} at the end, not {required}",
+        action="Give the event a longer duration.",
+        label="not completed",
+        more={"end": Amount(end, "speed"), "required": Amount(required, "speed")},
     )
 
 
@@ -289,39 +300,56 @@ def _creeps(
     drive: Drive, pulley: Pulley, drum: DrumHistory, place: Place, moves: bool
 ) -> Iterator[Check]:
     creep, limit = drum.extremes.creep, drive.creep_limit_of(pulley)
-    slower, otherwise = "", f"C{MORE_FRICTION[1:]}"
-    if moves:
-        slower, otherwise = (
-            "start and stop more slowly, ",
-            f"Start and stop more slowly, or {MORE_FRICTION}",
-        )
-    remedy = f"Raise the slack-side tension, {slower}or {MORE_FRICTION}"
+    place = place._replace(time=creep.time)
+    action = SLOWER if moves else ""
     if creep.value > max(SLIDES, limit):
-        slides = _slides(place, creep.value, creep.time, remedy)
-        yield replace(slides, otherwise=otherwise)
-    words = Words(
-        title="Largest creep at exit",
-        short="over creep limit",
-        says=f"Creeps {{value}} at {quantity(creep.time, 'time')}, more than the limit of "
-        f"{{limit}}; it is over it for {quantity(drum.over_limit, 'time', 2)}.",
-        remedy=remedy,
-        otherwise=otherwise,
+        yield _slides(place, creep.value, action)
+    text = CheckText(
+        title="Peak creep",
+        noun="peak creep",
+        label="creep",
+        headline="Creep {value} exceeds the {limit} limit",
+        fails="Creep {creep} exceeds {slides}: gross slip",
+        action=action,
+        full=f"The creep exceeds its limit for {quantity(drum.over_limit, 'time', 2)}.",
+        more={"creep": Amount(creep.value, "length"), "slides": Amount(SLIDES, "length")},
     )
-    yield EXIT_CREEP.judged(creep.value, limit, place, words)
+    yield EXIT_CREEP.compare(creep.value, limit, place, text)
 
 
-def _slides(place: Place, creep: float, time: float, remedy: str) -> Check:
+#: What to do where an event is too fast.
+SLOWER = "Try a slower start."
+
+
+def _slides(place: Place, creep: float, action: str) -> Check:
     return Check(
         name=GROSS_SLIP.name,
-        title="Carries its load",
+        title="Gross slip",
+        noun=GRIP_NOUN,
         level=Level.FAILS,
         place=place,
-        short="slides",
-        says=f"The belt slides on the pulley: {quantity(creep, 'length')} of creep at "
-        f"{quantity(time, 'time')}, more than {{slides}}, is gross slip.",
-        more={"slides": (SLIDES, "length")},
-        remedy=remedy,
+        label="gross slip",
+        headline="Gross slip: creep {creep} exceeds {slides}",
+        action=action,
+        more={"creep": Amount(creep, "length"), "slides": Amount(SLIDES, "length")},
     )
+
+
+def _at_peak(check: Check, rule: Rule, drum: DrumHistory) -> Check:
+    """Return a check with the time, and the end of the wrap, of what it compares."""
+    most = drum.extremes
+    tension = most.most_tension if rule.tension == "lower" else most.least_tension
+    peaks = {"largest_slip": most.slip, "slip_speed": most.slip_speed}
+    peaks["peak_shear_stress"] = most.shear
+    if not check.missed:
+        return check
+    if rule.result in peaks:
+        return replace(check, place=check.place._replace(time=peaks[rule.result].time))
+    if rule.value is None:
+        return check
+    at_entry = tension in (most.most_entry_tension, most.least_entry_tension)
+    spot = "entry" if at_entry else "exit"
+    return replace(check, place=check.place._replace(spot=spot, time=tension.time))
 
 
 def _motors(run: RunResult, drum: DrumHistory, place: Place) -> Iterator[Check]:
@@ -337,44 +365,49 @@ def _motors(run: RunResult, drum: DrumHistory, place: Place) -> Iterator[Check]:
     if rating is None and isinstance(motor, Motor):
         rating = motor.drum_torque * motor.gear_efficiency
     if rating is None:
-        why = "the rated torque of its control is not given"
-        yield not_checked("motor_heat", HEATING, why, place)
+        missing = "control.rated_torque"
+        yield not_checked("motor_heat", HEATING, HEATING_NOUN, place, missing=missing)
         return
-    yield motor_load(drum.extremes.torque.value / rating, MOMENTARY, True, place, several)
+    peak = drum.extremes.torque
+    power = motor.rated_power if isinstance(motor, Motor) else math.nan
+    late_place = place._replace(time=peak.time)
+    yield motor_load(peak.value / rating, MOMENTARY, True, late_place, several, power)
     late = run.time >= (1.0 - _LAST) * run.time[-1]
     lasting = float(np.sqrt(np.mean((drum.torque[late] / rating) ** 2)))
-    yield motor_load(lasting, 1.0, False, place, several)
+    yield motor_load(lasting, 1.0, False, place, several, power)
     heat = most = 0.0
     for load, time in zip(
         0.5 * (drum.torque[1:] + drum.torque[:-1]) / rating, np.diff(run.time), strict=True
     ):
         heat = max(heat + (load * load - 1.0) * time, 0.0)
         most = max(most, heat)
-    words = Words(
+    text = CheckText(
         title=HEATING,
+        noun=HEATING_NOUN,
         source="IEC 60034-1: 1.5 times the rated current for 2 min",
-        short="motor overheated",
-        says="The motors are heated by their overload for {value}, and bear {limit}; that "
-        "is loss over rated loss, of 1.5 times the rated torque for 2 min.",
-        remedy="Start and stop less hard, wait longer between starts, or take larger motors.",
+        label="motor heating",
+        headline="Motor heating {value} exceeds the {limit} limit",
+        action="Try a softer start or longer pauses.",
+        full="Heating: loss over rated loss less 1, integrated over time; the limit is 1.5 times "
+        "the rated torque for 2 min.",
     )
-    yield MOTOR_HEAT.judged(float(most), HEAT, place, words)
+    yield MOTOR_HEAT.compare(float(most), HEAT, place, text)
 
 
 def _vibration(run: RunResult) -> Check:
     """Check that small vibrations about the running state die out, whatever the event shows."""
     from wraparc.motion.linear import CALM, Linear
 
-    name, title = "vibration", "Growth per second of the least damped vibration"
+    name, title, noun = "vibration", "Self-excited oscillation", "oscillation growth per second"
     place = Place(event=run.event.name)
     try:
         root = Linear.of(run.station).rightmost
     except InputError as error:
-        return not_checked(name, title, error.problems[0].message, place)
-    hertz = display(abs(root.imag) / (2.0 * math.pi), "number", digits=3)
+        return not_checked(name, title, noun, place, why=error.problems[0].message)
     check = Check(
         name=name,
-        title=f"{title}{'' if math.isnan(root.real) else f', {hertz} Hz'}",
+        title=title,
+        noun=noun,
         level=Level.OK,
         place=place,
         value=0.0 if abs(root.real) <= CALM else root.real,
@@ -382,44 +415,47 @@ def _vibration(run: RunResult) -> Check:
     )
     if not root.real > CALM:
         return check
-    double = quantity(math.log(2.0) / root.real, "time", 2)
     return replace(
         check,
         level=Level.FAILS,
-        short="pulsates by itself",
-        says=f"A vibration of {hertz} Hz grows by itself and doubles every {double}: how large it "
-        "is in this event depends on how long that is followed.",
-        remedy="wraparc stability says why, and which control cures it.",
+        label="oscillation",
+        headline="Self-excited oscillation at {hertz} Hz, doubling time {double}",
+        action="Try another control (wraparc stability).",
+        full="Its size in this event depends on the duration.",
+        more={
+            "hertz": Amount(abs(root.imag) / (2.0 * math.pi), "number"),
+            "double": Amount(math.log(2.0) / root.real, "time"),
+        },
     )
 
 
 def _tension(run: RunResult, case: LoadCase) -> Check:
-    belt, peak = run.station.train.belt, run.peak_tension
-    rule, title = of_drive.tension_rule(case.kind), "Largest belt tension"
-    place, allowed = Place(event=run.event.name), of_drive.allowed_tension(belt, case.kind)
+    belt, (peak, place) = run.station.train.belt, _peak_tension(run)
+    rule, allowed = of_drive.tension_rule(case.kind), of_drive.allowed_tension(belt, case.kind)
+    text = replace(of_drive.tension_text(belt, case.kind, peak), title="Belt tension, peak")
     if allowed is None:
-        return not_checked(rule.name, title, of_drive.NO_RATING, place)
-    words = Words(
-        title=title,
-        source=f"rating of the belt times {of_drive.tension_factor(belt, case.kind):g}: "
-        f"{origin(belt.sources.get('rating', belt.provenance))}",
-        short="over belt rating",
-        says=f"The tension, {{value}} at {quantity(peak.time, 'time')}, is more than the belt "
-        f"allows, {{limit}}; it is {peak.place}.",
-        remedy=_stronger(run),
-    )
-    return rule.judged(peak.value, allowed * belt.width, place, words)
+        return not_checked(
+            rule.name, text.title, text.noun, Place(event=run.event.name), missing=text.missing
+        )
+    return rule.compare(peak, allowed * belt.width, place, text)
+
+
+def _peak_tension(run: RunResult) -> tuple[float, Place]:
+    """Return the largest tension of the belt [N], and where and when it is."""
+    peaks = {
+        place: peak
+        for drum in run
+        for place, peak in (
+            (Place(drum.name, spot="entry"), drum.extremes.most_entry_tension),
+            (Place(drum.name, spot="exit"), drum.extremes.most_exit_tension),
+        )
+    }
+    place = largest(peaks, lambda at: peaks[at].value)
+    peak = peaks[place]
+    return peak.value, place._replace(event=run.event.name, time=peak.time)
 
 
 def _safety(run: RunResult, drive: Drive, case: LoadCase) -> Iterator[Check]:
-    spot = spot_of(drive, case, drive.pulleys[0])
-    state = replace(spot.state, tight=run.peak_tension.value)
-    spot = replace(spot, place=Place(event=run.event.name), state=state)
-    for check in of_drive.BELT_SAFETY.checks(spot):
-        stronger = replace(check, remedy=_stronger(run), otherwise="")
-        yield stronger if check.missed else check
-
-
-def _stronger(run: RunResult) -> str:
-    slower = "Start more slowly, or take" if run.event.moves else "Take"
-    return f"{slower} a stronger belt."
+    spot, (peak, place) = spot_of(drive, case, drive.pulleys[0]), _peak_tension(run)
+    state = replace(spot.state, tight=peak)
+    yield from of_drive.BELT_SAFETY.checks(replace(spot, place=place, state=state))

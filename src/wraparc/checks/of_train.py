@@ -1,15 +1,17 @@
-"""Checks that only several drives on one belt can miss: motors, drives that fight, the balance."""
+"""Checks that only several drives on one belt can miss: motors, opposing drives, the balance."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
 from wraparc.arrays import Number
-from wraparc.checks.check import Check, Level, Place, escaped
+from wraparc.checks.check import Amount, Check, Level, Place, escaped
 from wraparc.checks.numbers import pull_against
+from wraparc.checks.of_arc import REPORT
 from wraparc.checks.of_drive import meeting, unknown_trims
-from wraparc.checks.rule import Rule, State, Words, idle, not_checked
+from wraparc.checks.rule import CheckText, Rule, State, idle, not_checked
 from wraparc.train import (
     CaseResult,
     Division,
@@ -26,24 +28,21 @@ from wraparc.train import (
 
 #: Largest relative miss of tensions, speeds and torques that a solved train is trusted with [-].
 TRAIN_BALANCE = 1e-5
-#: Pull of drives against each other over that of all from which it leads what else fails [-]; ours.
-FIGHTS = 0.1
+#: Tension that drives oppose each other with over Te from which it fails with others [-]; ours.
+OPPOSES = 0.1
 #: Titles of the checks that only a train has.
-FIGHT = "Drives work together"
-NO_DIVISION = "no division of the load is found"
-_MOTOR = {
-    False: "Motor torque over rated torque, running",
-    True: "Motor torque over rated torque, momentary",
-}
+OPPOSING = "Opposing drives"
+NO_DIVISION = "load not divided"
+_MOTOR = {False: "Motor torque, running", True: "Motor torque, momentary"}
 MOMENTARY_SOURCE = (
     "IEC 60034-1: 1.6 times the rated torque for 15 s; no stall at 90 % of the voltage (NEMA MG "
     "1-12.44, condensed edition of 2011: torque falls with its square)"
 )
-BALANCE = "Tensions, speeds and torques of the train agree"
+BALANCE = "Balance of drives"
 
 
 def of_case(train: Train, case: CaseResult) -> Iterator[Check]:
-    """Yield what only a train can miss: motors, drives that fight, the balance of the whole."""
+    """Yield what only a train can miss: motors, opposing drives, the balance of the whole."""
     place = Place("", case.case.name)
     if case.adrift or case.status in (TrainStatus.BEYOND_MOTOR, TrainStatus.UNSOLVED):
         overrun = any(
@@ -58,7 +57,7 @@ def of_case(train: Train, case: CaseResult) -> Iterator[Check]:
         return
     if several:
         lost = pull_against([m.arc.effective_tension for m in case.members])
-        yield fight(lost, place, case.case.division)
+        yield check_opposing_drives(lost, place, case.case.division)
         driven = [
             p for p, m in zip(train.pulleys, case.members, strict=True) if not idle(m.arc.arc)
         ]
@@ -81,7 +80,8 @@ def _motor(
     at, momentary = Place(member.name, case.name), case.kind != "running"
     if member.motor is None or not isinstance(motor, Motor):
         return unrated(momentary, at)
-    return motor_load(member.motor.motor_load, motor.bears(momentary), momentary, at, helps)
+    load, most = member.motor.motor_load, motor.bears(momentary)
+    return motor_load(load, most, momentary, at, helps, motor.rated_power)
 
 
 def meetings(case: CaseResult) -> Iterator[Check]:
@@ -95,44 +95,59 @@ def meetings(case: CaseResult) -> Iterator[Check]:
 def unrated(momentary: bool, place: Place) -> Check:
     """Return that motors were not judged whose rating is not given."""
     name = "momentary_load" if momentary else "motor_load"
-    why = "a drive that follows another gives no rating of its motors"
-    return not_checked(name, _MOTOR[momentary], why, place)
+    title = _MOTOR[momentary]
+    return not_checked(name, title, MOTOR_NOUN, place, why="a follower has no motor rating")
 
 
-def motor_load(load: float, most: float, momentary: bool, place: Place, helps: bool) -> Check:
+MOTOR_NOUN = "motor torque"
+
+
+def motor_load(
+    load: float, most: float, momentary: bool, place: Place, helps: bool, power: float
+) -> Check:
     """Check the torque of motors over their rated torque against what they bear [-].
 
-    `helps` is whether another division of the load does: not where every motor bears too much.
+    Parameters
+    ----------
+    load, most
+        Torque over rated torque, and what is allowed.
+    momentary, place
+        As the check has them.
+    helps
+        Whether another division of the load does: not where every motor bears too much.
+    power
+        Rated power of each motor; nan if unknown [W].
     """
-    title = _MOTOR[momentary]
-    remedy = "Divide the load otherwise (diameters, speeds, torque sharing), or take larger motors."
-    if not helps:
-        remedy = "Take larger motors: no other division of the load helps."
-    if momentary:
-        other = "divide the load otherwise, " if helps else ""
-        remedy = f"Start and stop more slowly, {other}or take larger motors."
-    words = Words(
-        title=title,
+    action = "Try a slower start." if momentary else "Try torque sharing." if helps else ""
+    if math.isfinite(power):
+        action = "Use motors of {power} or more."
+    text = CheckText(
+        title=_MOTOR[momentary],
+        noun=MOTOR_NOUN,
         source=MOMENTARY_SOURCE if momentary else "rating of the motor, continuous duty",
-        short="motor overloaded",
-        says="The motors work at {percent} % of their rated torque, and may at {most} %.",
-        because="The usual service factor, 1.15, does not cover that (NEMA MG 1-14.37: up to that "
-        "of the nameplate).",
-        remedy=remedy,
-        more={"percent": (100.0 * abs(load), "number"), "most": (100.0 * most, "number")},
+        label="motor torque",
+        headline="Motor torque {value} exceeds the {limit} "
+        + ("momentary limit" if momentary else "rating"),
+        action=action,
+        full=""
+        if momentary
+        else "Above 115 % no usual service factor covers it (NEMA MG 1-14.37).",
+        more={"power": Amount(power * abs(load) / most, "power", "up")},
     )
-    return (MOMENTARY_LOAD if momentary else MOTOR_LOAD).judged(abs(load), most, place, words)
+    return (MOMENTARY_LOAD if momentary else MOTOR_LOAD).compare(abs(load), most, place, text)
 
 
 def _motor_torque(state: State[Number]) -> Number:
     return state.motor
 
 
-MOTOR_LOAD = Rule("motor_load", "the rating of a motor", fails_beyond=1.15, value=_motor_torque)
-MOMENTARY_LOAD = Rule(
-    "momentary_load", "the torque that a motor bears in a start", value=_motor_torque
+MOTOR_LOAD = Rule(
+    "motor_load", "the rating of a motor", fails_beyond=1.15, is_percent=True, value=_motor_torque
 )
-MOTOR_HEAT = Rule("motor_heat", "the heat that a motor bears", dimension="time", of_rows=False)
+MOMENTARY_LOAD = Rule(
+    "momentary_load", "the momentary torque of a motor", is_percent=True, value=_motor_torque
+)
+MOTOR_HEAT = Rule("motor_heat", "the heating limit of a motor", dimension="time", of_rows=False)
 OF_MOTORS = (MOTOR_LOAD, MOMENTARY_LOAD, MOTOR_HEAT)
 
 
@@ -143,58 +158,72 @@ def operating_point(
 
     `overrun` is whether a motor that cannot hold back is asked to.
     """
-    says, _, remedy = str(status).partition(". ")
-    if overrun:
-        remedy = f"Set brakes = true for its motor if its drive can hold back. {remedy}"
     fault = status is TrainStatus.UNSOLVED
-    shorts = {TrainStatus.BREAKAWAY: "gross slip", TrainStatus.BEYOND_MOTOR: "beyond a motor"}
+    headline, label, action = _NO_POINT[status]
     return Check(
         name="operating_point",
-        title="Operating point of the drives",
+        title="Operating point",
+        noun="operating point",
         level=Level.FAULT if fault else Level.FAILS,
-        short=shorts.get(status, "not solved"),
-        says=escaped(f"{reason} {says}.".strip()),
-        remedy=escaped(remedy),
+        label=label,
+        headline=headline,
+        action="Set brakes = true if the drive can brake." if overrun else action,
+        full=escaped(reason),
         place=place,
     )
 
 
+#: What a train says that has no operating point, in a few words, and what to do.
+_NO_POINT = {
+    TrainStatus.BREAKAWAY: ("Gross slip: one drive cannot transmit its share", "gross slip", ""),
+    TrainStatus.BEYOND_MOTOR: (
+        "Motor limit reached: no operating point", "motor limit", "Try another speed or motor."
+    ),
+    TrainStatus.UNSOLVED: ("No solution", "not solved", REPORT),
+}  # fmt: skip
+
+
 def not_working(place: Place) -> Iterator[Check]:
     """Yield what is not checked of drives that do not carry the load."""
-    for name, title in (("fight", FIGHT), ("train_balance", BALANCE)):
-        yield not_checked(name, title, "the drives do not carry the load", place)
+    for name, title, noun in (
+        ("opposing_drives", OPPOSING, "opposing drives"),
+        ("train_balance", BALANCE, "balance of drives"),
+    ):
+        yield not_checked(name, title, noun, place, why="no operating point")
 
 
-def fight(lost: float, place: Place, division: Division) -> Check:
-    """Check that drives work together: so much pull is against each other [N]."""
-    fights = lost > 0.0
-    remedy = "Bring their speeds closer together, or divide the load by torque."
+def check_opposing_drives(opposing: float, place: Place, division: Division) -> Check:
+    """Check that drives work together: with so much tension they oppose each other [N]."""
+    opposes = opposing > 0.0
+    action = "Try torque sharing, or closer speeds (wraparc trim)."
     if isinstance(division, Shares):
-        remedy = "Correct the shares: one below 0 % brakes against the others."
+        action = "Give shares above 0 %."
     elif isinstance(division, Pulls):
-        remedy = "Correct the tensions: one of the pulleys is given as braking."
+        action = "Give tensions with which every pulley drives."
     return Check(
-        name="fight",
-        title=FIGHT,
-        level=Level.ATTENTION if fights else Level.OK,
-        short="drives fight" if fights else "",
-        says="The drives work against each other with {lost} of pull." if fights else "",
-        remedy=remedy if fights else "",
-        more={"lost": (lost, "force")},
+        name="opposing_drives",
+        title=OPPOSING,
+        noun="opposing drives",
+        level=Level.ATTENTION if opposes else Level.OK,
+        label="drives oppose" if opposes else "",
+        headline="Drives oppose each other by {opposing}" if opposes else "",
+        action=action if opposes else "",
+        more={"opposing": Amount(opposing, "force")},
         place=place,
     )
 
 
 def train_balance(error: float, place: Place) -> Check:
     """Check that tensions, speeds and torques of a solved train agree."""
-    words = Words(
+    text = CheckText(
         title=BALANCE,
+        noun="drive balance error",
         source="tolerance of the program",
-        short="out of balance",
-        says="Tensions, speeds and torques of the train miss each other by {value}.",
-        remedy="Please report the drive file; until then change a value slightly.",
+        label="internal error",
+        headline="Drive balance error {value} exceeds {limit}",
+        action=REPORT,
     )
-    return TRAIN_BALANCE_RULE.judged(error, TRAIN_BALANCE, place, words)
+    return TRAIN_BALANCE_RULE.compare(error, TRAIN_BALANCE, place, text)
 
 
 TRAIN_BALANCE_RULE = Rule(

@@ -7,12 +7,12 @@ from collections.abc import Iterator
 
 from wraparc.checks.check import Check, escaped, keeps
 from wraparc.checks.gross_slip import wet
-from wraparc.checks.rule import At, Rule, Spot, Words, idle, not_checked
+from wraparc.checks.rule import At, CheckText, Rule, Spot, idle, not_checked
 from wraparc.drive import Drive, Lagging, LoadCase
 from wraparc.drive.conditions import DRY, Condition
 from wraparc.errors import InputError
 
-TITLE = "Wet creep"
+TITLE, NOUN = "Wet creep", "wet creep (estimated)"
 
 
 def is_dry_only(drive: Drive, case: LoadCase) -> bool:
@@ -54,28 +54,31 @@ def _wet_creep(of: Spot) -> Iterator[Check]:
     if of.result is None or factor == 0.0 or idle(of.result.arc):
         return
     name, lagging = WET_CREEP.name, of.pulley.lagging
-    limit, missing = of.state.creep_limit, of.unknown
-    if not missing and not keeps(abs(of.result.exit_creep), limit):
-        missing = "the dry creep exceeds its limit"
-    if missing or math.isnan(factor):
-        missing = missing or f"{lagging.name} has no wet friction"
-        yield not_checked(name, TITLE, missing, of.place)
+    limit, why = of.state.creep_limit, of.unknown
+    if not why and not keeps(abs(of.result.exit_creep), limit):
+        why = "dry creep exceeds its limit"
+    if not why and math.isnan(factor):
+        why = f"{lagging.name} has no wet friction"
+    if why:
+        yield not_checked(name, TITLE, NOUN, of.place, why=why)
         return
     creep = wet(of.result, factor)
-    slips, exceeds = math.isinf(creep), "Wet creep {value} (estimated) exceeds the {limit} limit."
-    words = Words(
+    exceeds = "Wet creep {value} (estimated) exceeds the {limit} limit"
+    source = Condition(name="wet").factor_of(lagging)[1]
+    text = CheckText(
         title=TITLE,
-        source=f"creep limit; wet friction {factor:.3g} of dry, "
-        f"{Condition(name='wet').factor_of(lagging)[1]}",
-        short="gross slip when wet" if slips else "over creep limit wet",
-        says="Gross slip when wet (estimated)." if slips else exceeds,
-        remedy=f"Test lagging {escaped(lagging.name)} wet, or give covered = true if the drive "
-        "never runs wet.",
+        noun=NOUN,
+        source=f"creep limit; wet friction {factor:.3g} of dry, {source}",
+        label="wet creep",
+        headline="Gross slip when wet (estimated)" if math.isinf(creep) else exceeds,
+        action=f"Test {escaped(lagging.name)} wet.",
+        full=f"Wet friction {factor:.3g} of dry ({escaped(str(source))}). A drive that never runs "
+        "wet has covered = true.",
     )
-    yield WET_CREEP.judged(creep, limit, of.place, words)
+    yield WET_CREEP.compare(creep, limit, of.place, text)
 
 
 WET_CREEP = Rule(
     "wet_creep", "the creep limit when wet (estimated)", dimension="length", tension="raise",
-    binding=False, of_runs=False, asked=_wet_creep,
+    binding=False, of_runs=False, find_checks=_wet_creep,
 )  # fmt: skip

@@ -12,7 +12,7 @@ from typing import Generic, Literal, Protocol
 
 from wraparc.arc import ArcResult, WrapArc
 from wraparc.arrays import Number
-from wraparc.checks.check import Check, Level, Place, keeps
+from wraparc.checks.check import Amount, Check, Level, Place, keeps
 from wraparc.checks.numbers import beyond, idles
 from wraparc.drive import Drive, LoadCase, Pulley
 from wraparc.provenance import Provenance
@@ -135,7 +135,7 @@ class CheckText:
     full: str = ""
     label: str = ""
     source: str = ""
-    more: Mapping[str, tuple[float, Dimension]] = field(default_factory=dict)
+    more: Mapping[str, Amount] = field(default_factory=dict)
     missing: str = ""
     why: str = ""
     show_value: bool = False

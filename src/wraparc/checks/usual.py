@@ -12,7 +12,7 @@ from dataclasses import replace
 from typing import Any, NamedTuple
 
 from wraparc.arc.summary import available
-from wraparc.checks.check import NOWHERE, Check, Level, Place, escaped
+from wraparc.checks.check import NOWHERE, Amount, Check, Level, Place, escaped
 from wraparc.checks.numbers import (
     LARGE_MOTORS,
     USUAL_MOTORS,
@@ -36,11 +36,12 @@ from wraparc.drive import Drive, Lagging, LoadCase, Pulley
 from wraparc.drive.pitch import pitch_offset
 from wraparc.train import Motor, Motors, Speeds, Train
 from wraparc.train.motors import VariableSpeed
-from wraparc.units import Dimension, meant_by
+from wraparc.units import Cell, Dimension, meant_by, quantity
 
 Ends = tuple[float, float]
 
-USUAL_RULE = Rule("usual_sizes", "an unusual size", binding=False)
+USUAL_RULE = Rule("usual_sizes", "an implausible input", binding=False)
+TITLE = "Input plausibility"
 
 #: Least and most of a field by its class [SI]; 0 is none.
 USUAL: dict[str, dict[str, Ends]] = {
@@ -84,9 +85,9 @@ _PROFILES = {"shell_profile": 15e-3, "worn_depth": 25e-3, "build_up": 30e-3}
 _FRICTION = (0.03, 1.9)
 #: Names, dimensions and ends of what a law was tested in.
 _TESTED: dict[str, tuple[str, Dimension, Ends]] = {
-    "pressure_min": ("least tested pressure", "pressure", (0.5e3, 2e6)),
-    "pressure_max": ("largest tested pressure", "pressure", (10e3, 10e6)),
-    "slip_max": ("largest tested slip", "length", (0.05e-3, 0.3)),
+    "pressure_min": ("minimum tested pressure", "pressure", (0.5e3, 2e6)),
+    "pressure_max": ("maximum tested pressure", "pressure", (10e3, 10e6)),
+    "slip_max": ("maximum tested slip", "length", (0.05e-3, 0.3)),
     "slip_speed": ("tested slip speed", "speed", (2e-6, 0.3)),
 }
 
@@ -120,11 +121,10 @@ def usual_sizes(drive: Drive, *others: Owner) -> Iterator[Check]:
         What else is, by the same table: the train, motors, what moves and what happens to it.
     """
     parts = [*_others(drive, others)]
-    odd = {check.said: check for check in (*unusual_sizes(drive, bool(parts)), *parts)}
+    odd = {check.text: check for check in (*unusual_sizes(drive, bool(parts)), *parts)}
     yield from odd.values()
     if not odd:
-        title = "What is given is of usual size"
-        yield Check(name=USUAL_RULE.name, title=title, level=Level.OK, binding=False)
+        yield Check(name=USUAL_RULE.name, title=TITLE, noun="inputs", level=Level.OK, binding=False)
 
 
 def least_margin(drive: Drive) -> float:
@@ -144,7 +144,7 @@ def unusual_sizes(drive: Drive, odd: bool) -> Iterator[Check]:
             for (name, dimension, place), value, (least, most) in zip(
                 names, values, USUAL_SIZES, strict=True
             ):
-                made = name in (_RATIO, _STRONG, _SAG) or name.startswith(_AT_RATING)
+                made = name in (_RATIO, _STRONG, _SAG) or name == _AT_RATING
                 if not (usual(value, least, most) or (made and odd)):
                     size = drive.belt.width if dimension in _OVER_WIDTH else 1.0
                     odd = True
@@ -166,7 +166,7 @@ def _others(drive: Drive, others: tuple[Owner, ...]) -> Iterator[Check]:
             ends = 0.02 * solid, 1.5 * solid  # a thin drum, and with a shaft as long as two faces
             if not usual(pulley.mass, *ends):
                 place = Place(pulley.name)
-                yield unusual(f"mass of pulley {pulley.name}", "mass", place, pulley.mass, ends)
+                yield unusual("pulley mass", "mass", place, pulley.mass, ends)
     rating, stiff = drive.belt.rating, drive.belt.modulus
     fabric = drive.belt.kind == "fabric" and rating and usual(rating, *USUAL_SIZES[11])
     if fabric and rating and not usual(stiff / rating, 0.0, FABRIC):
@@ -185,7 +185,7 @@ def _owners(drive: Drive) -> Iterator[Owner]:
     yield Owner(criteria.sag, ("Sag",), "for the sag of the belt")
     yield Owner(drive.conveyor, ("Conveyor",), "of the conveyor")
     for lagging in drive.laggings:
-        of = f"of lagging {lagging.name}"
+        of = f"of {lagging.name}"
         yield Owner(lagging, ("Lagging",), of)
         yield Owner(lagging.block, ("Block",), f"of the blocks {of}")
         yield Owner(lagging.cost, ("Cost",), f"that the cost {of} is for")
@@ -210,9 +210,9 @@ def _of_owner(owner: Owner) -> Iterator[Check]:
             yield unusual(name, limit.dimension, owner.place, value, ends)
     for happening in getattr(of, "happenings", None) or ():
         if happening.at >= of.duration:
-            name = f"begin (at) of what happens {owner.words}"
-            check = unusual(name, "time", NOWHERE, happening.at, (0.0, of.duration))
-            yield replace(check, remedy="Nothing happens then: give an earlier time.")
+            check = unusual("start", "time", NOWHERE, happening.at, (0.0, of.duration))
+            headline = f"Event {escaped(of.name)} starts at {{value}}, after the end {{limit}}"
+            yield replace(check, headline=headline, action="Give an earlier time.")
     if "Across" in owner.kinds:
         for key, most in _PROFILES.items():
             profile = getattr(of, key)
@@ -267,24 +267,26 @@ _MOTOR, _TURNS = ("Motor",), ("Speed",)
 def _turning(drive: Drive, owner: Owner) -> Iterator[Check]:
     """Yield what is unusual of a motor, and of a speed that does not fit that of the belt."""
     motor, pulley, power, speed = owner.of, drive.pulley(owner.place.pulley), math.nan, math.nan
-    turns, remedy = motor, "Check the speeds of the drums, the diameter and the belt speed."
+    turns, action = motor, "Check rotation_speeds, diameter, belt speed."
     if isinstance(motor, Motor):
         power, speed = motor.rated_power, motor.rated_speed
         setting = motor.setting if isinstance(motor, VariableSpeed) else 1.0
         turns = setting * speed / motor.gear_ratio
-        remedy = "Check gear_ratio, rated_speed, diameter and belt speed."
+        action = "Check gear_ratio, rated_speed, diameter, belt speed."
     belt = math.nan if drive.belt.speed is None else drive.belt.speed
     radius = pulley.radius + (pitch_offset(drive.belt, pulley.side) or 0.0)
     values = compared_motor(power, speed, turns, radius, belt)
     for (name, dimension), value, ends in zip(_MOTOR_NAMES, values, USUAL_MOTORS, strict=True):
         if not usual(value, *ends):
-            check = unusual(f"{name} of pulley {pulley.name}", dimension, owner.place, value, ends)
+            check = unusual(name, dimension, owner.place, value, ends)
             if name == _FITS:
-                more: dict[str, tuple[float, Dimension]] = dict(check.more)
-                more |= {"drum": (turns * radius, "speed"), "belt": (belt, "speed")}
-                taken = "{drum} by the drum, which was taken, and {belt} by the speed of the belt."
-                says = f"{check.says[:-1]}: {taken}"
-                check = replace(check, says=says, remedy=remedy, more=more)
+                check = replace(
+                    check,
+                    headline="Pulley speed {drum} does not match belt speed {belt}",
+                    action=action,
+                    full="The speed of the pulley was used.",
+                    more={"drum": Amount(turns * radius, "speed"), "belt": Amount(belt, "speed")},
+                )
             yield check
 
 
@@ -297,14 +299,14 @@ def _motor_sizes(drive: Drive, motors: Sequence[Motor]) -> Iterator[Check]:
     needed = max(pulls) * (drive.belt.speed or math.nan)
     rated = sum(motor.count * motor.rated_power for motor in motors)
     if rated and needed and not usual(rated / needed, 0.0, LARGE_MOTORS):
-        told = "rated power of the motors over that of the largest pull"
-        yield unusual(told, "number", NOWHERE, rated / needed, (0.0, LARGE_MOTORS))
+        name = "motor power over required power"
+        yield unusual(name, "number", NOWHERE, rated / needed, (0.0, LARGE_MOTORS))
 
 
-_FITS = "speed of the drum over that of the belt"
+_FITS = "pulley speed over belt speed"
 _MOTOR_NAMES: tuple[tuple[str, Dimension], ...] = (
-    ("rated power of the motor", "power"),
-    ("rated speed of the motor", "rotation_speed"),
+    ("rated motor power", "power"),
+    ("rated motor speed", "rotation_speed"),
     (_FITS, "number"),
 )
 
@@ -316,15 +318,15 @@ def _conveyor_sizes(of: Conveyor, width: float) -> Iterator[Check]:
         least, most = (end * (width if key in OVER_WIDTH else 1.0) for end in ends)
         if not usual(value, least, most):
             odd = True
-            name = f"{key.replace('_', ' ')} of the conveyor"
+            name = f"conveyor {key.replace('_', ' ')}"
             dimension = Conveyor.LIMITS[key].dimension
             yield unusual(name, dimension, NOWHERE, value, (least, most))
     load, slope = (EMPTIEST * width**2, FULLEST * width**2), of.lift / of.length
     if not (odd or usual(of.material, *load)):
-        name = "load per length of the full belt (capacity, speed and width)"
+        name = "material per length of belt"
         yield unusual(name, "mass_per_length", NOWHERE, of.material, load)
     if not (odd or usual(slope, -STEEPEST, STEEPEST)):
-        name = "lift over length of the conveyor"
+        name = "conveyor lift over length"
         yield unusual(name, "number", NOWHERE, slope, (-STEEPEST, STEEPEST))
 
 
@@ -335,24 +337,23 @@ def unusual(
     least, most = ends
     small = least if least > 0.0 else 0.1 * most  # nothing is meant that is next to nothing
     meant = " or ".join(meant_by(value, dimension, small, most))
-    remedy = f"Check the unit: {meant}?" if meant else "Check the unit."
+    action = f"Check the unit: {meant}?" if meant else "Check the unit."
     if dimension == "number":
         near = next((n for n in (0.1, 10.0, 0.01, 100.0) if least <= n * value <= most), None)
-        remedy = "Check the number." if near is None else f"Is {near * value:.3g} meant?"
-    wraps = name.startswith("wrap angle")
-    if wraps and value > most:
-        remedy = "Is it the sum of two pulleys? Give each of them its own."
-    elif wraps and not meant:
-        remedy = "Is it what a snub pulley adds to half a turn? Give the sum."
-    if name.startswith(_AT_RATING):
-        remedy = "Check the diameter and the rating."
-    if name in (_STRONG, _RATIO):
-        remedy = _of_rating(name, value, least)
-    if name == _MASS and value > most:
-        remedy = "Is it that of the whole belt? Give the mass of a metre."
+        action = "Check the number." if near is None else f"Check the number: {near * value:.3g}."
+    if name == _WRAP and value > most:
+        action = "Give each pulley its own wrap."
+    if name in _CHECKED:
+        action = f"Check {_CHECKED[name]}."
+    range_ = quantity(most, dimension) if least == 0.0 else Cell(most, dimension, 3, "to", least)
+    ends_text = f"the usual maximum {range_}" if least == 0.0 else f"the usual {range_}"
+    headline = f"{name[:1].upper()}{name[1:]} {{value}} is outside {ends_text}"
+    if name == _WRAP and value > most:
+        headline = "Wrap {value} exceeds {limit} on one pulley"
     return Check(
         name=USUAL_RULE.name,
-        title=f"Usual {name}",
+        title=TITLE,
+        noun=name,
         level=USUAL_RULE.missed,
         place=place,
         value=value,
@@ -360,68 +361,58 @@ def unusual(
         dimension=dimension,
         at_most=value > most,
         source="sizes that conveyor drives have",
-        short="unusual size",
-        says=f"Unusual {escaped(name)}, {{value}}; {{least}} to {{most}} is usual.",
-        remedy=escaped(remedy),
-        more={"least": (least, dimension), "most": (most, dimension)},
+        label="implausible input",
+        headline=headline,
+        action=escaped(action),
         binding=False,
     )
 
 
-def _of_rating(name: str, value: float, least: float) -> str:
-    """Return which of strength, modulus and rating may be wrong, by a ratio of two of them [-]."""
-    if name == _STRONG:
-        if value < 0.5 * least:
-            return "Is the rating the strength? Give the tension that the belt is rated for."
-        return (
-            "Is the rating that of the whole width? Give it per width."
-            if value < least
-            else "Check strength and rating: both are per width."
-        )
-    if value >= least:
-        return "Check the units of both."
-    meant = "rating or the strength given as the modulus"
-    meant = meant if value < 0.2 * least else "strength given as the rating, or as the modulus"
-    return f"Is the {meant}? Check the units of both."
-
-
 #: Dimensions of sizes that are compared over the width of the belt.
 _OVER_WIDTH = ("force", "mass_per_length")
-_MASS = "mass of the belt"
-_AT_RATING = "pressure of the belt at its rating"
-_SAG = "tension that keeps the belt from sagging"
-_STRONG = "strength over the rating of the belt"
-_RATIO = "modulus over the rating of the belt"
+_MASS = "belt mass"
+_WRAP = "wrap"
+_AT_RATING = "wrap pressure at the belt rating"
+_SAG = "tension for sag"
+_STRONG = "belt strength over rating"
+_RATIO = "belt modulus over rating"
+#: What is checked of sizes that are made of several inputs.
+_CHECKED = {
+    _AT_RATING: "diameter and belt.rating",
+    _STRONG: "belt.strength and belt.rating: both per width",
+    _RATIO: "belt.modulus and belt.rating: both per width",
+    _MASS: "belt.mass: per length of belt",
+    _SAG: "idler_spacing, line_mass and share of [sag]",
+}
 
 
 def _names(pulley: Pulley, case: LoadCase) -> list[tuple[str, Dimension, Place]]:
     """Return what `compared_sizes` are called, in their order, what they measure and where."""
     belt, drum, at = Place(), Place(pulley.name), Place(pulley.name, case.name)
-    lagging, of = f"of lagging {pulley.lagging.name}", f"of pulley {pulley.name}"
     return [
-        ("width of the belt", "length", belt),
-        ("modulus of the belt", "force_per_width", belt),
-        ("speed of the belt", "speed", belt),
-        (f"diameter {of}", "length", drum),
-        (f"wrap angle {of}", "angle", drum),
-        (f"wrap angle {of}", "angle", drum),
-        (f"creep limit {of}", "length", drum),
-        (f"overrun {of}", "length", drum),
-        (f"thickness {lagging}", "length", drum),
-        (f"shear modulus {lagging}", "pressure", drum),
-        (f"compression modulus {lagging}", "pressure", drum),
-        ("rating of the belt", "force_per_width", belt),
-        (f"bond strength {lagging}", "pressure", drum),
-        (f"fatigue limit {lagging}", "pressure", drum),
-        ("largest wrap pressure of the belt", "pressure", belt),
-        ("least pulley of the belt", "length", belt),
+        ("belt width", "length", belt),
+        ("belt modulus", "force_per_width", belt),
+        ("belt speed", "speed", belt),
+        ("diameter", "length", drum),
+        (_WRAP, "angle", drum),
+        (_WRAP, "angle", drum),
+        ("creep limit", "length", drum),
+        ("overrun", "length", drum),
+        ("lagging thickness", "length", drum),
+        ("shear modulus", "pressure", drum),
+        ("compression modulus", "pressure", drum),
+        ("belt rating", "force_per_width", belt),
+        ("bond strength", "pressure", drum),
+        ("fatigue limit", "pressure", drum),
+        ("maximum wrap pressure of the belt", "pressure", belt),
+        ("minimum pulley diameter of the belt", "length", belt),
         (_SAG, "force", belt),
         (_STRONG, "number", belt),
         (_RATIO, "number", belt),
-        (f"{_AT_RATING} on pulley {pulley.name}", "pressure", drum),
-        (f"entry tension {of}", "force", at),
-        (f"exit tension {of}", "force", at),
-        (f"power {of}", "power", at),
+        (_AT_RATING, "pressure", drum),
+        ("entry tension", "force", at),
+        ("exit tension", "force", at),
+        ("power", "power", at),
         (_MASS, "mass_per_length", belt),
     ]
 

@@ -8,7 +8,6 @@ from functools import cached_property
 from typing import NamedTuple
 
 from wraparc.checks.check import Check, Level
-from wraparc.units import quantity
 
 #: In what ways an input may be weak, the worst first.
 DATA_CLASSES = ("illustrative", "untested", "estimated", "calibrated")
@@ -73,19 +72,9 @@ class Verdict:
     ----------
     checks
         Every check at every place.
-    wet
-        Largest creep when wet of a drive that was computed dry only [m]: infinite in gross slip,
-        nan if nothing is known of it; negative where it was not computed dry only.
-    over_wet
-        Whether a creep when wet is over its limit.
-    not_wet
-        Lagging of which nothing is known when wet.
     """
 
     checks: tuple[Check, ...]
-    wet: float = -1.0
-    over_wet: bool = False
-    not_wet: str = ""
 
     @cached_property
     def governing(self) -> Check | None:
@@ -101,9 +90,13 @@ class Verdict:
     @property
     def label(self) -> str:
         """Word of the verdict: its level, and whether an OK is of a dry drive only."""
-        if self.level is Level.OK and math.isnan(self.wet):
-            return f"{Level.OK} (dry)"
-        return str(self.level)
+        dry = self.wet is not None and self.wet.level is Level.NOT_CHECKED
+        return f"{Level.OK} (dry)" if dry and self.level is Level.OK else str(self.level)
+
+    @property
+    def wet(self) -> Check | None:
+        """The estimated creep when wet, where it is largest; None where none is estimated."""
+        return next((c for c in self.listed if c.name == "wet_creep"), None)
 
     @property
     def text(self) -> str:
@@ -129,16 +122,12 @@ class Verdict:
     @property
     def wet_text(self) -> str:
         """What wet would give, where only dry was solved; empty else."""
-        if self.level is not Level.OK or self.wet < 0.0:
+        wet = self.wet
+        if wet is None or wet.missed:
             return ""
-        if math.isnan(self.wet):
-            return f"Not checked: {self.not_wet or 'a lagging'} has no wet friction."
-        if math.isinf(self.wet):
-            return "Gross slip (estimated)."
-        creep = quantity(self.wet, "length")
-        return f"Creep {creep} (estimated): too large." if self.over_wet else (
-            f"Creep {creep} (estimated) passes."
-        )  # fmt: skip
+        if wet.level is Level.NOT_CHECKED:
+            return f"Not checked: {wet.why}." if self.level is Level.OK else ""
+        return f"Creep {wet.texts()[0]} (estimated) passes."
 
     @cached_property
     def listed(self) -> tuple[Check, ...]:

@@ -10,9 +10,9 @@ import numpy as np
 
 from wraparc.arrays import Array, Flags, Integers
 from wraparc.checks import Level, judge
-from wraparc.checks.check import Verdict
 from wraparc.checks.least_tension import taut
 from wraparc.checks.of_wet import WET_CREEP
+from wraparc.checks.verdict import Verdict
 from wraparc.choose.across import Edges, excess_of, is_uneven, solve_edges
 from wraparc.choose.answers import solve_columns
 from wraparc.choose.life_cycle import Costs, costs_of

@@ -11,7 +11,7 @@ import numpy as np
 from wraparc.arc import solve
 from wraparc.arrays import Array, Flags
 from wraparc.batch import Setting
-from wraparc.checks.design_standard import asked
+from wraparc.checks.design_standard import find_requirement
 from wraparc.checks.gross_slip import given_up, rises_of
 from wraparc.checks.least_tension import figures
 from wraparc.checks.sliding_rows import LoadedRows, tight_at_sliding
@@ -84,7 +84,7 @@ def inapplicable(search: Search, grid: Grid, design: int) -> str:
     if not criteria.standard.name:
         return ""
     surface = search.conditioned()[int(grid.places[0, design])]
-    rule = asked(criteria.standard, criteria.take_up, surface, wrap_angle)
+    rule = find_requirement(criteria.standard, criteria.take_up, surface, wrap_angle)
     return "" if rule is None or not rule.why_not else f"{rule.rule}, {rule.why_not}"
 
 
@@ -120,7 +120,7 @@ def _asked(search: Search, case: LoadCase, lagging: int, wrap_angle: float) -> t
     pull = abs(case.tensions[search.pulley].effective)
     pull *= criteria.standard.start_factor if case.kind == "running" else 1.0
     surface = search.conditioned()[lagging]
-    rule = asked(criteria.standard, criteria.take_up, surface, wrap_angle)
+    rule = find_requirement(criteria.standard, criteria.take_up, surface, wrap_angle)
     if rule is None:
         return 0.0, ""
     if math.isnan(rule.wrap_factor):  # a rule that binds and cannot be applied is never kept

@@ -57,7 +57,7 @@ def _lines(sheet: Sheet, wanted: Wanted, width: int) -> list[str]:
         return list(table_lines(tables, width))
     if wanted.full:
         return lines_of(sheet, width)
-    rest = ": see --full, --table NAME."
+    rest = "--full, --table NAME"
     return lines_of(short_sheet(sheet, "--table", rest), width)
 
 

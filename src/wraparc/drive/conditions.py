@@ -89,6 +89,7 @@ class Condition:
             sources={**lagging.sources, SCALED: source},
             fit=None,
             factors=None,
+            scaled_by=factor,
             notes=(*lagging.notes, self._told(lagging, factor, source)),
         )
 

@@ -106,6 +106,8 @@ class Lagging(Viewable):
         Where the lagging's numbers came from.
     sources
         Where single numbers came from, by field (``law``, ``thickness`` ...), if elsewhere.
+    scaled_by
+        Factor on the friction of the law that was tested, where the law is scaled by it [-].
     notes
         What a reader must know.
     description
@@ -148,6 +150,7 @@ class Lagging(Viewable):
     block: Block | None = field(default=None, compare=False)
     provenance: Provenance = field(default_factory=Provenance)
     sources: Mapping[str, Provenance] = field(default_factory=dict, hash=False)
+    scaled_by: float | None = None
     notes: tuple[str, ...] = ()
     description: str = ""
 

@@ -101,7 +101,7 @@ def simulate(
         if checkpoint is not None:
             checkpoint.due(march, recorder)
         if progress is not None and progress(count / total):
-            outcome, reason = Outcome.CANCELLED, f"Cancelled at {march.t:.3g} s."
+            outcome, reason = Outcome.CANCELLED, f"Run stopped at {march.t:.3g} s: cancelled"
             break
     if checkpoint is not None:
         checkpoint.end(march, recorder, whole=outcome is not Outcome.CANCELLED)
@@ -110,10 +110,10 @@ def simulate(
 
 def _told(halt: HaltError, t: float) -> tuple[Outcome, str]:
     if halt.what == "breaks away":
-        return Outcome.BREAKAWAY, f"{halt.place} breaks away at {t:.4g} s."
+        return Outcome.BREAKAWAY, f"Gross slip on {halt.place} at {t:.4g} s"
     if halt.what == "turns back":
-        return Outcome.TURNED_BACK, f"The drum of {halt.place} turns back at {t:.4g} s."
-    return Outcome.SLACK, f"The belt goes slack {halt.place} at {t:.4g} s."
+        return Outcome.TURNED_BACK, f"Pulley {halt.place} turns back at {t:.4g} s"
+    return Outcome.SLACK, f"Belt goes slack {halt.place} at {t:.4g} s"
 
 
 def check_event(station: Station, event: Event) -> None:

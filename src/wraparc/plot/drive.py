@@ -41,7 +41,7 @@ def plot_drive(
     position = first.arcs.index(first.governing)
     arcs = [result.arcs[position] for result in results]
     title = first.drive.title or "Drive"
-    return plot_arc(arcs, system, quantity=quantity, title=title, remarks=judge(first).data)
+    return plot_arc(arcs, system, quantity=quantity, title=title, remarks=judge(first).remarks)
 
 
 def plot_arc(

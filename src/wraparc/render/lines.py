@@ -81,12 +81,23 @@ def _page(sheet: Sheet, width: int) -> Iterator[str]:
 
 
 def headline_lines(verdict: Verdict, width: int) -> list[str]:
-    """Return the word of a verdict with its headline; what to do below it, where it is apart."""
-    lines = wrap(f"{verdict.told}  {verdict.headline}", width, break_on_hyphens=False)
+    """Return the lines of a verdict, each under its label: level, action, also, wet, data."""
+    pairs = ((verdict.word, verdict.text), *verdict.lines)
+    room = max(len(label) for label, _ in pairs) + _GAP
+    lines = [line for pair in pairs for line in _labelled(*pair, room, width)]
     lines[0] = _marked(lines[0], verdict.level)
-    if verdict.action and verdict.action not in verdict.headline:
-        lines += wrap(f"Action: {verdict.action}", width, break_on_hyphens=False)
     return lines
+
+
+def _labelled(label: str, text: str, room: int, width: int) -> list[str]:
+    """Return a text beside its label, its further lines below its first."""
+    return wrap(
+        text,
+        width,
+        initial_indent=label.ljust(room),
+        subsequent_indent=" " * room,
+        break_on_hyphens=False,
+    )
 
 
 def _item(mark: str, text: str, width: int) -> list[str]:
@@ -162,7 +173,7 @@ def _padded(text: str, width: int, *, right: bool) -> str:
 
 
 def _note(row: Row) -> str:
-    return ": ".join(dict.fromkeys(part for part in (row.level or "", row.note) if part))
+    return ": ".join(dict.fromkeys(part for part in (row.mark, row.note) if part))
 
 
 def _coloured(texts: list[str], row: Row | None, values: range, *, first_line: bool) -> str:

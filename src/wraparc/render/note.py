@@ -302,10 +302,10 @@ def _worded(table: Table) -> Table:
 def _worded_row(row: Row, table: Table) -> Row:
     if not row.level:
         return row
-    if len(table.heads) > _FILLS and not table.has_notes:
+    if row.mark and len(table.heads) > _FILLS and not table.has_notes:
         *cells, last = row.values
         return replace(row, values=(*cells, f"{row.level}: {last}"))
-    return replace(row, note=f"{row.level}: {row.note}" if row.note else str(row.level))
+    return replace(row, note=": ".join(part for part in (row.mark, row.note) if part))
 
 
 def _train_verdict(train: "TrainResult") -> Verdict:
@@ -430,7 +430,7 @@ def _equation_section(results: Sequence[DriveResult], train: "TrainResult | None
 
 
 def _warnings(results: Sequence[DriveResult]) -> Iterator[str]:
-    yield from judge(results[0]).data
+    yield from judge(results[0]).remarks
     for arc in results[0]:
         if arc.status.solved and arc.extrapolates:
             share = percent(arc.outside_tested_share)

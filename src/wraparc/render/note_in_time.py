@@ -4,9 +4,10 @@ from dataclasses import replace
 from functools import partial
 
 from wraparc.answer.motion_sheet import run_sheet, run_tables, stability_sheet
-from wraparc.answer.sheet import Table, Verdict, named, quantity
+from wraparc.answer.sheet import Also, Table, Verdict, named, quantity
+from wraparc.answer.words import format_verdict, under
+from wraparc.checks import Level, judge_run
 from wraparc.checks import Verdict as Judgement
-from wraparc.checks import judge_run
 from wraparc.motion.reported import InTime
 from wraparc.motion.result import RunResult
 from wraparc.plot.motion import plot_run, plot_stability
@@ -20,16 +21,16 @@ def judged_with(before: Judgement, in_time: InTime) -> Judgement:
 
 
 def told_with(before: Verdict, in_time: InTime) -> Verdict:
-    """Return the answer in words; an event that is worse than everything else leads it."""
-    found = [judge_run(run) for run in in_time.runs]
+    """Return the answer; an event that is worse than everything else leads it."""
+    found = [format_verdict(judge_run(run)) for run in in_time.runs]
     worst = max(found, key=lambda v: v.level.rank, default=None)
     if worst is None:
         return before
-    said = worst.lead
     if worst.level.rank > before.level.rank:
-        sentences = (before.headline, *before.sentences)
-        return Verdict(worst.level, said, sentences, worst.word)
-    return replace(before, sentences=(*before.sentences, f"In time: {said}"))
+        return under(worst, before)
+    missed = worst.level.rank > Level.OK.rank
+    also = (Also(worst.level, worst.text, worst.check), *worst.also) if missed else ()
+    return replace(before, also=(*before.also, *also))
 
 
 def section(in_time: InTime) -> tuple[tuple[str, ...], tuple[Table, ...], tuple[Drawing, ...]]:
@@ -42,7 +43,7 @@ def section(in_time: InTime) -> tuple[tuple[str, ...], tuple[Table, ...], tuple[
         ("Will it pulsate?", vibrations),
     ):
         if sheet.verdict is not None:
-            said = (sheet.verdict.headline, *sheet.verdict.sentences)
+            said = (sheet.verdict.text, *sheet.verdict.sentences)
             sentences.append(f"{name}{'' if name.endswith('?') else ':'} {' '.join(said)}")
     tables = [
         replace(table, title=f"{table.title}: {run.event.name}")

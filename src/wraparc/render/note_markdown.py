@@ -29,8 +29,9 @@ def _lines(note: Note) -> Iterator[str]:
     yield ""
     for title, value in note.title_block:
         yield f"- {title}: {plain(value)}"
-    yield from ("", f"**{told.told}.** {plain(told.headline)}", "")
-    yield f"**Checks.** {plain(note.summary)}"
+    yield ""
+    for label, text in ((told.word, told.text), *told.lines, ("Checks", note.summary)):
+        yield f"- **{label}** {plain(text)}"
     if told.sentences:
         yield from ("", *(f"- {plain(sentence)}" for sentence in told.sentences))
     for section in note.sections:

@@ -171,7 +171,9 @@ class _Workbook:
         sheet, note = self._sheet("Summary", landscape=False), self.note
         self._put(sheet, 0, 0, note.title, self.book.add_format({"bold": True, "font_size": 15}))
         told = note.told
-        pairs = (*note.title_block, (told.told, told.headline), ("Checks", note.summary))
+        pairs = (
+            *note.title_block, (told.word, told.text), *told.lines, ("Checks", note.summary)
+        )  # fmt: skip
         row = 1
         for title, value in (*pairs, *(("", sentence) for sentence in told.sentences)):
             self._put(sheet, row, 0, title, self.bold)
@@ -193,13 +195,13 @@ class _Workbook:
 
     def _check(self, check: Check) -> tuple[Cell, ...]:
         unit, size = self._unit(check.dimension)
-        bound = "" if math.isnan(check.limit) else "at most" if check.at_most else "at least"
+        bound = "" if math.isnan(check.limit) else "max" if check.at_most else "min"
         # what is below its accuracy is told so, as everywhere
         value: Cell = check.texts()[0] if check.below else check.value / size
-        margin: Cell = "-" if check.below else 100.0 * check.margin
+        used: Cell = 100.0 * check.used if math.isfinite(check.used) else "-"
         return (
             check.title, bound, check.limit / size, value, unit or "-",
-            margin, str(check.level), str(check.place), check.source,
+            used, str(check.level), str(check.place), check.source,
         )  # fmt: skip
 
     def _input(self, entry: Input) -> tuple[Cell, ...]:

@@ -78,7 +78,7 @@ def text(thing: Any, *, full: bool = False) -> str:
 
 
 def _short(thing: Any) -> Sheet:
-    return short_sheet(shown(sheet_of(thing), "si"), rest=": .full() has them all.")
+    return short_sheet(shown(sheet_of(thing), "si"), rest=".full()")
 
 
 @singledispatch

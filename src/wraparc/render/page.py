@@ -77,9 +77,9 @@ def _top(sheet: Sheet, heading: str) -> Iterator[str]:
     yield f"<{heading}>{escape(sheet.title)}</{heading}>"
     yield f"<p>{escape(sheet.subtitle)}</p>" if sheet.subtitle else ""
     if sheet.verdict:
-        yield f"<p><strong>{sheet.verdict.told}. {escape(sheet.verdict.headline)}</strong></p>"
-        if sheet.verdict.action and sheet.verdict.action not in sheet.verdict.headline:
-            yield f"<p>Action: {escape(sheet.verdict.action)}</p>"
+        pairs = ((sheet.verdict.word, sheet.verdict.text), *sheet.verdict.lines)
+        rows = (f"<dt>{escape(label)}</dt><dd>{escape(text)}</dd>" for label, text in pairs)
+        yield f"<dl>{''.join(rows)}</dl>"
         yield _list("ul", sheet.verdict.sentences)
 
 
@@ -104,7 +104,7 @@ def _table(table: Table) -> str:
     head = "".join(f'<th scope="col">{escape(text)}</th>' for text in heads)
     lines = []
     for row in table.rows:
-        mark = f"{row.level}: " if row.level else ""
+        mark = f"{row.mark}: " if row.mark else ""
         cells = [row.symbol] if table.has_symbols else []
         line = "".join(f"<td>{escape(cell)}</td>" for cell in (*cells, *row.values))
         line += f'<td class="note">{escape(mark + row.note)}</td>' if table.has_notes else ""

@@ -103,5 +103,5 @@ def _judge(
         rank = check.level.rank
         if check.level is Level.NOT_CHECKED:
             continue
-        if rank > levels[k] or (rank == levels[k] and check.margin < least[k]):
-            levels[k], governing[k], least[k] = rank, NAMES.index(check.name), check.margin
+        if rank > levels[k] or (rank == levels[k] and check.order[1] < least[k]):
+            levels[k], governing[k], least[k] = rank, NAMES.index(check.name), check.order[1]

@@ -23,6 +23,7 @@ from wraparc.schema.shared_keys import FORMAT_ENTRY
 from wraparc.schema.source import Document, read_whole
 from wraparc.schema.tables import Entry, Record, Table, need
 from wraparc.study.keys import Raw
+from wraparc.units import in_units
 from wraparc.units.numbers import split_number
 
 #: Designs of an event study at most: each is a march of seconds.
@@ -235,6 +236,6 @@ def _row(values: Sequence[str], run: RunResult, root: complex) -> EventRow:
         friction_energy=math.fsum(d.friction_energy for d in run),
         pulsates=abs(root.imag) / (2.0 * math.pi) if root.real > CALM else 0.0,
         level=str(verdict.level),
-        word=verdict.word,
-        said=verdict.headline(),
+        word=verdict.label,
+        said=in_units(verdict.text),
     )

@@ -236,7 +236,9 @@ def _ground(
     known = before(drive)
     against = any(c.name == "take_up" for c in known.checks)
     take_up = "with tensions that its take-up does not hold" if against else ""
-    parts = ("wet not checked" if dry else "", some, take_up, known.qualifier)
+    weak = [kind for kind, _, _ in known.data.items]
+    data = f"on {weak[0]} data" if weak else ""
+    parts = ("wet not checked" if dry else "", some, take_up, data)
     return ", ".join(part for part in parts if part)
 
 

@@ -13,13 +13,14 @@ from dataclasses import dataclass, replace
 from typing import Any, cast
 
 from wraparc.arc import ArcResult, Capacities, DriveResult, Energy, Status, WrapArc
-from wraparc.checks.check import Check, Level, Verdict
+from wraparc.checks.check import Check, Level
 from wraparc.checks.gross_slip import Rise, rises
-from wraparc.checks.of_arc import INTERVAL
+from wraparc.checks.of_arc import INTERVAL, INTERVAL_NOUN
 from wraparc.checks.of_data import WEAK_KINDS, law_words, weak_sources
 from wraparc.checks.of_wet import estimate_factor
 from wraparc.checks.rule import At, Spot, idle
 from wraparc.checks.sliding import Sliding
+from wraparc.checks.verdict import Verdict
 from wraparc.drive import Drive
 from wraparc.train import Train, TrainCase
 from wraparc.train.result import drive_with
@@ -171,14 +172,14 @@ def weak_kinds(drive: Drive) -> list[str]:
     found: list[str] = []
     for pulley in drive.pulleys:
         grounds, _ = law_words(pulley.lagging)
-        found += [*grounds, *(kind for kind, _ in weak_sources(drive, pulley))]
+        found += [*grounds, *(weak[0] for weak in weak_sources(drive, pulley))]
     return [kind for kind in WEAK_KINDS if kind in found]
 
 
 def remarks_of(drive: Drive, verdict: Verdict) -> list[str]:
     """Return on what data an answer of the page stands, and what it does not find of a fit."""
     left = (_NO_INTERVAL.format(of.name) for of in drive.laggings if of.fit and of.fit.knots)
-    return [*verdict.data, *dict.fromkeys(left)]
+    return [*verdict.remarks, *dict.fromkeys(left)]
 
 
 _NO_INTERVAL = (
@@ -250,10 +251,10 @@ def creep_interval(of: Spot) -> Iterator[Check]:
         title=INTERVAL,
         level=Level.ATTENTION,
         place=of.place,
-        says="By the uncertainty of the friction law the creep may be beyond its limit: this page "
-        "does not find the interval.",
-        remedy="Solve the file with wraparc solve, which does.",
-        short="interval not found here",
+        noun=INTERVAL_NOUN,
+        headline="Creep, 95 % bound, is not computed in this page",
+        action="Solve the file with wraparc solve.",
+        label="95 % bound not computed",
         binding=False,
     )
 

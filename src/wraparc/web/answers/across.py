@@ -31,7 +31,7 @@ from wraparc.answer.across_tables import (
 from wraparc.answer.checks_table import check_table
 from wraparc.answer.sheet import Verdict as ToldVerdict
 from wraparc.answer.train_words import train_verdict
-from wraparc.answer.words import in_words, under, verdict
+from wraparc.answer.words import format_verdict, stated_action, under, verdict
 from wraparc.checks import Verdict as Judgement
 from wraparc.checks import judge
 from wraparc.checks.rules import ACROSS_CHECKS
@@ -161,7 +161,11 @@ def solve_width(asked: AcrossRequest) -> AcrossAnswer:
         )
     carried = found.status is AcrossStatus.SOLVED
     own = judged.at(pulley.name, case.name)
-    told = in_words(own, own.others) if asked.load_case is not None else _told(whole)
+    told = (
+        format_verdict(own, own.full, stated_action(own))
+        if asked.load_case is not None
+        else _told(whole)
+    )
     return AcrossAnswer(
         pulley=pulley.name,
         load_case=case.name,
@@ -169,7 +173,7 @@ def solve_width(asked: AcrossRequest) -> AcrossAnswer:
         solved=carried,
         status_text=worded(slack_words(found) or str(found.status)),
         verdict=Verdict.of(told),
-        remarks=texts(judged.data),
+        remarks=texts(judged.remarks),
         bars=bars(own.listed),
         checks=_checks(judged, pulley, case),
         tables=_tables(drive, found, carried),
@@ -182,7 +186,9 @@ def solve_width(asked: AcrossRequest) -> AcrossAnswer:
 
 
 def _told(whole: Whole) -> ToldVerdict:
-    return train_verdict(whole) if isinstance(whole, TrainResult) else verdict(whole)
+    if isinstance(whole, TrainResult):
+        return train_verdict(whole, search=False)
+    return verdict(whole, search=False)
 
 
 def _checks(told: Judgement, pulley: Pulley, case: LoadCase) -> Table | None:
@@ -264,7 +270,9 @@ def wear_width(asked: AcrossWearRequest) -> AcrossWearAnswer:
         per_depth=_PER_DEPTH,
     )
     return AcrossWearAnswer(
-        verdict=Verdict.of(under(wear_verdict(now, history, least), judge(solved(thing)))),
+        verdict=Verdict.of(
+            under(wear_verdict(now, history, least), format_verdict(judge(solved(thing))))
+        ),
         table=tables([wear_table(history)], ["wear"])[0],
         heals=history.heals,
         grows=now.wear_grows,
@@ -283,9 +291,9 @@ def thickness_width(asked: AcrossThicknessRequest) -> AcrossThicknessAnswer:
     found = cushion(drive, wanted, pulley.name, case.name, strips=_WEAR_STRIPS)
     changed = with_thickness(drive, pulley.name, wanted[-1])
     thick = redivided(thing, changed) if isinstance(thing, Train) else changed
-    told, of = cushion_verdict(found), f"With {quantity(wanted[-1], 'length', GIVEN_DIGITS)}"
+    told = cushion_verdict(found)
     return AcrossThicknessAnswer(
-        verdict=Verdict.of(under(told, judge(solved(thick)), of)),
+        verdict=Verdict.of(under(told, format_verdict(judge(solved(thick))))),
         table=tables([cushion_table(found)], ["thickness"])[0],
     )
 

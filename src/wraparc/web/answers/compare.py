@@ -67,7 +67,7 @@ class Candidate(Answer):
     title: str
     condition: str
     level: Level
-    word: str
+    label: str
     short: str
     status_text: str
     cells: dict[str, Compared]
@@ -238,7 +238,7 @@ def _row(
         title=lagging.title if isinstance(what, Lagging) else what.kind,
         condition=lagging.condition,
         level=judged.level,
-        word=judged.word,
+        label=judged.label,
         short=_short(whole, result),
         status_text=str(result.status),
         cells={**_cells(whole, result), **cost},
@@ -254,10 +254,10 @@ def _short(whole: Whole, result: ArcResult) -> str:
     """Return the answer in a few words, with the pulley and load case it is of unless shown."""
     worst, of, own = judge(whole).governing, by_pulley(whole), result.arc
     if worst is None or not worst.missed:
-        return "carries" if any(not idle(r.arc) for r in of) else "not driven"
+        return "OK" if any(not idle(r.arc) for r in of) else "not driven"
     place = worst.place
     arc = of.arc(place.pulley or own.pulley, place.load_case or own.load_case)
-    words = ["breaks away" if arc.status is Status.BREAKAWAY else worst.short]
+    words = ["gross slip" if arc.status is Status.BREAKAWAY else worst.label]
     if place.pulley not in ("", own.pulley):
         words.append(f"pulley {place.pulley}")
     if place.load_case not in ("", own.load_case):

@@ -16,7 +16,14 @@ from wraparc.answer.least_tension import (
 )
 from wraparc.answer.sources import Sources
 from wraparc.answer.train_sheet import train_input_sheet
-from wraparc.answer.words import alone_of, in_words, order_in, short, verdict
+from wraparc.answer.words import (
+    alone_of,
+    format_verdict,
+    order_in,
+    short,
+    stated_action,
+    verdict,
+)
 from wraparc.arc import ArcResult, Distributed, DriveResult, PaperMarch, WrapArc, solve
 from wraparc.checks import Level, judge, least_tension
 from wraparc.drive import Drive
@@ -185,10 +192,10 @@ def solve_fast(asked: FastRequest) -> FastAnswer:
     answered = DriveResult(drive, (result,))
 
     if whole is None:
-        told = verdict(answered)
+        told = verdict(answered, search=False)
     else:
         own = judge(whole).at(pulley.name, load.name)
-        told = in_words(own, own.others)
+        told = format_verdict(own, own.full, stated_action(own))
     wanted = asked.tables and result.status.solved
     made = {"answer": answer_table((result,)), "creep": creep_table((result,))} if wanted else {}
     return FastAnswer(
@@ -284,7 +291,7 @@ def _alone(answered: DriveResult, result: ArcResult) -> float | None:
 
 
 def _remarks(answered: DriveResult) -> list[Text]:
-    return texts(judge(answered).data)
+    return texts(judge(answered).remarks)
 
 
 def check(asked: CheckRequest) -> SheetAnswer:

@@ -15,8 +15,8 @@ class FoundValue(Answer):
     value: float
     shown: Text
     level: Level
-    word: str
-    headline: Text
+    label: str
+    text: Text
 
 
 class SeekAnswer(Answer):
@@ -47,6 +47,6 @@ def _value(found: Sought, value: float, whole: Whole) -> FoundValue:
         value=value,
         shown=worded(value_text(found, value)),
         level=judge(whole).level,
-        word=judge(whole).word,
-        headline=worded(judge(whole).lead),
+        label=judge(whole).label,
+        text=worded(judge(whole).text),
     )

@@ -79,13 +79,67 @@ class TextWithNumbers(TypedDict):
 Text = str | Number | TextWithNumbers
 
 
-class Verdict(Answer):
-    """The answer in words; `word` stands for the level, ``OK, on illustrative data``."""
+Change = TypedDict(
+    "Change", {"key": str, "from": float | str, "to": float | str, "unit": str | None}
+)
+
+
+class Way(Answer):
+    """Changes that are made together; `left` checks are missed with them."""
+
+    changes: list[Change]
+    proved: bool
+    left: int
+    text: Text
+
+
+class Action(Answer):
+    """What to do, in one sentence, and the ways that it offers."""
+
+    text: Text
+    ways: list[Way]
+
+
+class Also(Answer):
+    """What else is missed."""
 
     level: Level
-    word: str
-    headline: Text
-    action: Text
+    name: str
+    place: dict[str, str | float | None] | None
+    quantity: str | None
+    value: float | None
+    limit: float | None
+    unit: str | None
+    relation: Literal["exceeds", "below", "within", "none"]
+    used: float | None
+    text: Text
+
+
+class Verdict(Answer):
+    """The answer in a few lines, see `wraparc.answer.sheet.Verdict`.
+
+    Numbers are SI, those of the check that governs; `label` stands for the level, ``OK (dry)``.
+    """
+
+    level: Level
+    label: str
+    name: str
+    place: dict[str, str | float | None] | None
+    quantity: str | None
+    value: float | None
+    limit: float | None
+    unit: str | None
+    relation: Literal["exceeds", "below", "within", "none"]
+    used: float | None
+    text: Text
+    action: Action | None
+    also: list[Also]
+    wet: Data | None
+    reserve: list[Text]
+    data: Data | None
+    passed: int | None
+    missed: int | None
+    not_checked: list[str]
     sentences: list[Text]
 
     @classmethod
@@ -232,7 +286,7 @@ def bars(checks: Sequence[Check]) -> list[Bar]:
             share=check.share,
             found=worded(check.texts()[0]),
             limit=worded(check.bound()),
-            says=worded(check.reason),
+            says=worded(check.text if check.missed else ""),
             source=check.source,
         )
         for check in checks

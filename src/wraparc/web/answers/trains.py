@@ -7,7 +7,7 @@ import numpy as np
 from wraparc.answer.document import sources_of
 from wraparc.answer.train_document import matching_document, train_document
 from wraparc.answer.train_sheet import matching_sheet, train_sheet
-from wraparc.answer.words import in_words
+from wraparc.answer.words import format_verdict, stated_action
 from wraparc.arc import Distributed
 from wraparc.checks import judge
 from wraparc.errors import InputError, input_error, shown
@@ -90,7 +90,7 @@ def train(asked: TrainRequest) -> TrainAnswer:
     result = solve_train(thing, method=Distributed(capacities=False), raise_on_failure=False)
     matching = _matching(thing, result, asked) if asked.match else None
     told = (judge(result).within(case.case.name) for case in result)
-    judged = [Verdict.of(in_words(of, of.others)) for of in told]
+    judged = [Verdict.of(format_verdict(of, of.full, stated_action(of))) for of in told]
     return TrainAnswer(judged=judged, matching=matching, **train_part(result).model_dump())
 
 

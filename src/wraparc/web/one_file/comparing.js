@@ -96,7 +96,7 @@ const far = (belt, rating) => Math.abs(Math.log(belt.rating / rating));
  * @param {Change} change @param {Design} doc */
 function rowOf(name, what, judged, shown, change, doc) {
   const { solved, numbers: n, load_case } = judged.arcs[shown];
-  const { level, word, short: words } = verdictOf(judged);
+  const { level, label, short: words } = verdictOf(judged);
   const { governing: worst } = judged.verdict;
   const elsewhere = worst?.missed && worst.place.load_case;
   const short = elsewhere && elsewhere !== load_case ? `${words}, ${elsewhere}` : words;
@@ -107,7 +107,7 @@ function rowOf(name, what, judged, shown, change, doc) {
     : none;
   const known = (/** @type {number} */ v) => (solved ? v : none);
   return {
-    ...{ name, level, word, short, change, condition: conditionOf(doc), cost_note: "" },
+    ...{ name, level, label, short, change, condition: conditionOf(doc), cost_note: "" },
     title: (what === "belts" ? belt?.kind : lagging?.title) ?? "",
     kind: what === "belts" ? "" : (lagging?.kind ?? ""),
     source: (what === "belts" ? belt : lagging)?.source ?? "",

@@ -3,7 +3,7 @@ import type { ComponentChildren } from "preact";
 import type * as api from "./api.d.ts";
 
 export type Level = api.Level;
-export type Verdict = Partial<api.Verdict> & Pick<api.Verdict, "level" | "headline" | "sentences">;
+export type Verdict = Partial<api.Verdict> & Pick<api.Verdict, "level" | "text" | "sentences">;
 export type Table = Omit<api.Table, "key"> & { key: string };
 export type TableRow = api.Row;
 export type Bar = api.Bar;

@@ -16,7 +16,7 @@ import { askedCase } from "./drive/cases.js";
 /** @import { Level, Problem, Text } from "../types.d.ts" */
 /**
  * @typedef {{value: number | null, text: Text}} Cell
- * @typedef {{name: string, title: string, condition: string, level: Level, word: string,
+ * @typedef {{name: string, title: string, condition: string, level: Level, label: string,
  *   short: string, cells: Record<string, Cell>, cost_note: Text, kind: string, source: string,
  *   present: boolean, change: {path: string, value: any}[]}} Row
  * @typedef {{key: string, title: string, better: "low" | "high"}} Column
@@ -274,7 +274,7 @@ function row(r, columns, best) {
       ),
     ),
     h("th", { scope: "row" }, label(r), condition, r.present && " (present)"),
-    h("td", {}, badge(r.level, r.word), " ", r.short),
+    h("td", {}, badge(r.level, r.label), " ", r.short),
     columns.map((c) => cell(r, c.key, best[c.key])),
     h(
       "td",

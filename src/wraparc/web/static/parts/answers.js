@@ -62,7 +62,7 @@ export const verdict = (v, before, after) =>
     "div",
     { class: `verdict ${levelClass(v.level)}` },
     before,
-    h("p", { class: "headline" }, badge(v.level, v.word), " ", words(v.headline), " ", after),
+    h("p", { class: "headline" }, badge(v.level, v.label), " ", words(v.text), " ", after),
     list(v.sentences),
   );
 /** @param {Text[] | undefined} texts @param {string} [cls] */

@@ -3,16 +3,7 @@
 import { app, redraw, wrong } from "../base/design.js";
 import { GONE, sentence } from "../base/server.js";
 import { words } from "../base/units.js";
-import {
-  checkOf,
-  fold,
-  foot,
-  missing,
-  opening,
-  reasonOf,
-  said,
-  worstFirst,
-} from "../pages/drive/screen.js";
+import { checkOf, fold, foot, missing, reasonOf, said, worstFirst } from "../pages/drive/screen.js";
 import { answer } from "../pages/drive/solving.js";
 import { cloneElement, h } from "../vendor/preact.js";
 import { BELOW, list } from "./answers.js";
@@ -70,19 +61,10 @@ export function saying(how, v, more, action, refused = []) {
   if (how === "refused") return notComputed("Not computed.", refused);
   if (how !== "fresh") return silent(app.gone ? GONE : "Solving …", BELOW, action);
   const [one, rest] = leadOf(v);
-  return said(v.level, one, more ?? rest, action, words(v.headline), null, null);
+  return said(v.level, one, more ?? rest, action, words(v.text), null, null);
 }
-/** The first sentence of a verdict, with its pulley where several are shown, and the rest.
- * @param {Verdict} v @returns {[string, string]} */
-export function leadOf({ headline }) {
-  const looked = app.doc.pulley[app.pulley].name ?? "";
-  const whole = words(headline).replace(/^(Event|Load case) [^:]+: /, "");
-  const [, pulley, text = whole] = PLACE.exec(whole) ?? [];
-  const [one, rest] = opening(text, { pulley: pulley ?? looked, load_case: app.case });
-  const shown = !pulley || (pulley === looked && app.page !== "train");
-  return [shown ? one : `Pulley ${pulley}: ${one}`, rest];
-}
-const PLACE = /^Pulley (.+?)(?:, load case .+?)?: (.*)/s;
+/** The sentence of a verdict, and what to do. @param {Verdict} v @returns {[string, string]} */
+export const leadOf = ({ text, action }) => [words(text), words(action?.text ?? "")];
 /** @param {string} key of a field: whether it is in view */
 const inView = (key) =>
   [...document.querySelectorAll(`[id$="${idOf(key.split(","), "")}"]`)].some((e) =>

@@ -48,7 +48,7 @@ export function judged(of, doc, all, result) {
 /** In what a judgement of the page and the server's are not one.
  * @param {Judged} own @param {FullAnswer} found */
 export function misses(own, { verdict, checks, arcs }) {
-  const said = words(verdictOf(own).headline) === words(verdict.headline);
+  const said = words(verdictOf(own).text) === words(verdict.text);
   const levels = (/** @type {any} */ of) => of.rows.map((/** @type {any} */ r) => r.level).join();
   const rows = levels(checks) === levels(checkTable(own));
   const far = own.arcs.flatMap((a) => differing(a, arcs));

@@ -326,13 +326,15 @@ function verdict(arc, refused) {
   const { level, verdict: v } = arc;
   const full = known();
   if (!level) return said("", creepOf(arc), "");
-  const [one, rest] = opening(v.headline, arc);
+  const [one, rest] = opening(v.text, arc);
   const does = full && action(arc);
   const worse = lacking()
     ? `Load case design lacks a tension and is left out. Shown is ${arc.load_case}.`
     : (elsewhere(full?.arcs, arc) ??
-      (does ? besides(one.slice(0, -1)) : words(v.action) || (END.exec(rest)?.[1] ?? rest)));
-  return said(level, one, worse, does, words(v.headline));
+      (does
+        ? besides(one.slice(0, -1))
+        : words(v.action?.text ?? "") || (END.exec(rest)?.[1] ?? rest)));
+  return said(level, one, worse, does, words(v.text));
 }
 /** What is missed besides what the sentence is of: the action beside it is solved for all.
  * @param {string} one */

@@ -15,7 +15,7 @@ import { answer } from "./solving.js";
 
 /** @import { ChartData, Level, Path, Problem, Spec, Text } from "../../types.d.ts" */
 /**
- * @typedef {{value: number, shown: Text, level: Level, word: string, headline: Text}} Value
+ * @typedef {{value: number, shown: Text, level: Level, label: string, text: Text}} Value
  * @typedef {{sentence: Text, found: Value[], tried: number[], results: (number | null)[]}} Found
  * @typedef {{path: Path, spec: Spec}} Input
  */
@@ -205,8 +205,8 @@ function found(f) {
           { type: "button", class: "main", onClick: () => use(v) },
           `Use ${words(v.shown)}`,
         ),
-        badge(v.level, v.word),
-        h("span", { class: "help" }, words(v.headline)),
+        badge(v.level, v.label),
+        h("span", { class: "help" }, words(v.text)),
       ),
     ),
     h(Plot, { data: chart(f), key: `${state.of}${app.units}`, ...look() }),

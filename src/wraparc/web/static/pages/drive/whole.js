@@ -91,7 +91,7 @@ export const firstAnswer = (c) => ({
   profile: {},
   tested: c.tested,
   outside: [],
-  verdict: { level: /** @type {any} */ (""), headline: "", sentences: [] },
+  verdict: { level: /** @type {any} */ (""), text: "", sentences: [] },
   remarks: [],
   prepared: null,
 });

@@ -23,16 +23,20 @@ const verdictAt = ({ verdict }, load_case, pulley) =>
  * @returns {Verdict & {levels: Record<string, Level>, short: string, order: number}} */
 export function verdictOf(judged, load_case, pulley) {
   const verdict = verdictAt(judged, load_case, pulley);
-  const { level, word, lead, action, others, listed } = verdict;
+  const { level, label, text, wet_text, data, listed } = verdict;
+  const action = verdict.governing?.action_text;
   const levels = listed
     .filter((/** @type {any} */ c) => c.level !== NOT_CHECKED)
     .map((/** @type {any} */ c) => [c.name, c.level]);
   return {
     level,
-    word,
-    headline: lead,
-    action,
-    sentences: [...others],
+    label,
+    text,
+    action: action ? { text: action, ways: [] } : null,
+    also: [...verdict.also],
+    wet: wet_text ? { text: wet_text } : null,
+    data: { text: data.text },
+    sentences: [...verdict.full],
     short: shortOf(judged, verdict, load_case, pulley),
     order: orderIn(verdict),
     levels: Object.fromEntries(levels),
@@ -69,7 +73,7 @@ export const barsOf = (judged, load_case, pulley) =>
   verdictAt(judged, load_case, pulley)
     .listed.filter((/** @type {any} */ c) => !Number.isNaN(c.share))
     .map((/** @type {any} */ c) => {
-      const { name, value, title, level, at_most, share, reason } = c;
+      const { name, value, title, level, at_most, share, missed, text } = c;
       const [found] = c.texts();
       const place = c.place.__str__();
       return {
@@ -82,7 +86,7 @@ export const barsOf = (judged, load_case, pulley) =>
         share,
         found,
         limit: c.bound(),
-        says: reason,
+        says: missed ? text : "",
         source: "",
       };
     });
