@@ -39,6 +39,8 @@ DATA_CHECKS = (
 MOST_WRAP = 240
 #: Most changes that are made together.
 MOST_CHANGES = 3
+#: Most variants of some kinds of changes that get the belt, pulley or idlers they ask for.
+MOST_COMPLETED = 16
 #: Parts of the step to the first tension that is not allowed, in which the last is looked for.
 EDGE_POINTS = 12
 #: Checks whose miss tells what belt, pulley or idlers would do.
@@ -176,6 +178,8 @@ def find_ways(
     for size in range(1, MOST_CHANGES + 1):
         ways: list[Candidate] = []
         together = _combinations(task, size)
+        if size == MOST_CHANGES:
+            search.coarsen()
         search.prepare(together)
         for kinds in together:
             found = search.best(kinds)
@@ -212,6 +216,11 @@ class _Search:
         self.task, self._evaluate, self._confirm = task, evaluate, confirm
         self._known: dict[Variant, Outcome] = {Variant(): task.now}
 
+    def coarsen(self) -> None:
+        """Try fewer tensions and wraps first, where these are many together."""
+        points, step = (self.task.points + 1) // 2, 2 * self.task.wrap_step
+        self.task = self.task._replace(points=points, wrap_step=step)
+
     def outcomes(self, variants: Sequence[Variant]) -> list[Outcome]:
         """Return the outcome of each variant."""
         new = [v for v in dict.fromkeys(variants) if v not in self._known]
@@ -221,7 +230,7 @@ class _Search:
 
     def prepare(self, every: Sequence[tuple[str, ...]]) -> None:
         """Judge what is tried first of several kinds of changes, all at once."""
-        if not self.task.points:
+        if self.task.splits < 2:
             return  # one by one: only what is needed
         first = {kinds: self._first(kinds) for kinds in every}
         self.outcomes([variant for variants in first.values() for variant in variants])
@@ -309,21 +318,27 @@ class _Search:
         return []
 
     def _completed(self, variants: Sequence[Variant], kinds: tuple[str, ...]) -> list[Variant]:
-        """Return variants with the belt, pulley and idlers that their misses ask for."""
+        """Return variants with the belt, pulley and idlers that their misses ask for.
+
+        Of many those that promise most.
+        """
         shares = [kind for kind in kinds if kind in _BY_SHARE]
         if not shares:
             return list(variants)
-        found = []
+        answered = [name for kind in shares for name in _BY_SHARE[kind]]
+        found: list[tuple[tuple[int, int, float], Variant]] = []
         for variant, outcome in zip(variants, self.outcomes(variants), strict=True):
             complete: Variant | None = variant
             for kind in shares:
                 over = max((outcome.used.get(name, 0.0) for name in _BY_SHARE[kind]), default=0.0)
-                complete = (
-                    None if complete is None else _with_share(complete, self.task, kind, over)
-                )
-            if complete is not None:
-                found.append(complete)
-        return found
+                complete = complete and _with_share(complete, self.task, kind, over)
+            levels = {n: rank for n, rank in outcome.levels.items() if n not in answered}
+            then = outcome._replace(levels=levels)
+            if complete is not None and is_allowed(then, self.task.now):
+                order = (*score_of(then), size_of(complete, self.task))
+                found.append((order, complete))
+        found.sort(key=lambda one: one[0])
+        return [variant for _, variant in found[:MOST_COMPLETED]]
 
     def _least(self, variants: Sequence[Variant], kinds: tuple[str, ...]) -> Candidate | None:
         """Return the variant that leaves least, of several the one that changes least."""
@@ -369,6 +384,7 @@ class _Search:
             bases = [_at(of.variant, float(p) if wrap else at_rung(p), wrap) for p in places]
             if self.task.splits > 1:
                 self.outcomes(bases)
+                self.outcomes([v for base in bases for v in self._completed([base], kinds)])
             passing = far
             for place, base in zip(places, bases, strict=True):
                 one = self._least([base], kinds)

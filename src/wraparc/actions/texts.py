@@ -30,7 +30,7 @@ class Names(NamedTuple):
     slack
         The tension that is raised or lowered: ``T2``.
     pulleys
-        Those whose lagging or diameter is changed; empty where there is one pulley.
+        Those whose lagging or diameter is changed; empty where all are.
     """
 
     slack: str
@@ -83,15 +83,19 @@ def _alone(found: Candidate, task: Task, names: Names) -> Phrase | None:
 def _together(of: Variant, names: Names) -> str:
     """Return what is used of several changes."""
     parts = [
-        _lagging(of, names) if of.lagging else "",
+        f"lagging {of.lagging}" if of.lagging else "",
+        f"a pulley of {_up(of.diameter, 'length')}" if of.diameter else "",
         f"wrap {_up(radians(of.wrap), 'angle')}" if of.wrap else "",
         f"{names.slack} {_up(of.tension, 'force')}" if of.tension else "",
         _belt(of) if of.rating else "",
         f"a belt of strength {_up(of.strength, 'force_per_width')}" if of.strength else "",
-        _pulley(of, names) if of.diameter else "",
         f"idler spacing {Cell(of.spacing, 'length', form='down')}" if of.spacing else "",
     ]
-    *first, last = [part for part in parts if part]
+    some = [part for part in parts if part]
+    owned = bool(of.lagging) + bool(of.diameter)
+    if owned:
+        some[owned - 1] += _on(names)
+    *first, last = some
     return f"{', '.join(first)} and {last}" if first else last
 
 
