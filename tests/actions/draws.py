@@ -163,7 +163,8 @@ def _conveyor(rng: np.random.Generator) -> Document:
     if rng.uniform() < 0.5:
         take_up = {"take_up_tension": f"{rng.uniform(15.0, 60.0):.4g} kN"}
     return {
-        "length": f"{rng.uniform(200.0, 1200.0):.4g} m", "lift": f"{rng.uniform(-10.0, 40.0):.4g} m",
+        "length": f"{rng.uniform(200.0, 1200.0):.4g} m",
+        "lift": f"{rng.uniform(-10.0, 40.0):.4g} m",
         "capacity": f"{rng.uniform(400.0, 1500.0):.4g} t/h", "belt_mass": "20 kg/m",
         "carry_idler_mass": "14 kg/m", "return_idler_mass": "6 kg/m", "start_factor": 1.3,
         **take_up,

@@ -39,9 +39,8 @@ class Names(NamedTuple):
 
 def sentence_of(phrases: Sequence[Phrase]) -> str:
     """Return one sentence of the first phrases that it has room for."""
-    first, *others = phrases
-    text = f"{first.verb.capitalize()} {first.rest}"
-    for phrase in others:
+    text = f"{phrases[0].verb.capitalize()} {phrases[0].rest}"
+    for phrase in phrases[1:]:
         longer = f"{text}, or {phrase.verb} {phrase.rest}"
         if len(longer.split()) > MOST_WORDS:
             break
@@ -95,8 +94,7 @@ def _together(of: Variant, names: Names) -> str:
     owned = bool(of.lagging) + bool(of.diameter)
     if owned:
         some[owned - 1] += _on(names)
-    *first, last = some
-    return f"{', '.join(first)} and {last}" if first else last
+    return listed(some)
 
 
 def _up(value: float, dimension: str) -> str:
@@ -116,10 +114,12 @@ def _pulley(of: Variant, names: Names) -> str:
 
 
 def _on(names: Names) -> str:
-    *first, last = names.pulleys or ("",)
-    if not last:
-        return ""
-    return f" on {', '.join(first)} and {last}" if first else f" on {last}"
+    return f" on {listed(names.pulleys)}" if names.pulleys else ""
+
+
+def listed(parts: Sequence[str]) -> str:
+    """Return parts with commas and an and."""
+    return f"{', '.join(parts[:-1])} and {parts[-1]}" if len(parts) > 1 else parts[0]
 
 
 def none_text(percent: int) -> str:
