@@ -157,6 +157,7 @@ def _load_cases(
         tensions = resolve(given, speed, report, sure=whole)
         if "name" in case:
             more = {"kind": case.get("kind", "running"), "condition": condition_name(case)}
+            more["description"] = case.get("description", "")
             built.append(LoadCase(name=case["name"], tensions=tensions, **more))
     for problem in repeated("load_case", (case.name for case in built)):
         report.take(InputError(problem), ())

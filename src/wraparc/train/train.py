@@ -113,7 +113,7 @@ class TrainCase:
     runs
         Rise of tension over the run from each pulley to the next, negative where it falls [N]; 0
         where drives stand together. Empty for none.
-    kind, condition
+    kind, condition, description
         As in `LoadCase`.
     """
 
@@ -129,6 +129,7 @@ class TrainCase:
     runs: tuple[float, ...] = ()
     kind: CaseKind = "running"
     condition: str = ""
+    description: str = ""
 
     def __post_init__(self) -> None:
         raise_all(name_problems("name", self.name) + limit_problems(self, self.LIMITS))
@@ -289,6 +290,7 @@ def _case_of(drive: Drive, case: LoadCase) -> TrainCase:
         runs=runs if any(runs) else (),
         kind=case.kind,
         condition=case.condition,
+        description=case.description,
     )
 
 
