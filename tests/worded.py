@@ -3,8 +3,20 @@
 import math
 from typing import Any
 
+from wraparc.checks import Check, Verdict
 from wraparc.glossary import GLOSSARY
-from wraparc.units import RESULT_DIGITS, Cell, System
+from wraparc.units import RESULT_DIGITS, Cell, System, in_units
+
+
+def check_words(check: Check, system: System = "si") -> str:
+    """Return all that a check says: its sentence, what to do, its reasons."""
+    return in_units(f"{check.text} {check.action_text} {check.full_text}", system)
+
+
+def verdict_words(verdict: Verdict, system: System = "si") -> str:
+    """Return all that a verdict says of what is missed, and its reasons."""
+    checks = [verdict.governing, *verdict.also] if verdict.governing else []
+    return " ".join(check_words(check, system) for check in checks if check)
 
 
 def worded(text: Any, system: System = "si") -> str:

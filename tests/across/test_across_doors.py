@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from cli.running import wraparc
+from worded import check_words
 from wraparc import InputError, SlackBeltError, load_drive, solve, solve_across
 from wraparc.across import across_of, in_plane_stiffness, screen
 from wraparc.checks import Level, Verdict, judge
@@ -17,7 +18,7 @@ from wraparc.checks.of_across import least_transition
 from wraparc.drive import Across, Belt, Drive, GrippingPulley, Transition, WidthProfile
 from wraparc.files import drive_from_text
 from wraparc.files.write import drive_text
-from wraparc.units import display
+from wraparc.units import display, in_units
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 FABRIC = EXAMPLES / "worn-head-drive-fabric.toml"
@@ -147,7 +148,7 @@ def test_slack_is_said_with_strip_and_amount(fabric: Drive) -> None:
     assert "of the given unevenness on" in str(error.value)
     verdict = _verdict(drive)
     assert verdict.level is Level.FAILS
-    assert "goes slack: it lacks" in verdict.headline()
+    assert "goes slack: it lacks" in in_units(verdict.text)
 
 
 def test_other_blocks_are_another_belt_across_its_width() -> None:
@@ -174,7 +175,7 @@ def test_edges_over_the_rating_fail_and_govern() -> None:
     assert worst is not None
     assert worst.name == "edge_tension"
     assert worst.limit == pytest.approx(1.15 * (drive.belt.rating or 0.0))
-    assert "more than the" in verdict.headline()
+    assert "more than the" in in_units(verdict.text)
     missed = {c.name for c in verdict.missed}
     assert "crown" in missed  # none for steel cord
     # at a start the belt may bear what its rating allows for a moment
@@ -242,7 +243,7 @@ def test_a_short_transition_is_said_at_standstill_and_running(fabric: Drive) -> 
     assert found["transition_length"].level is Level.ATTENTION
     assert found["static_edge_tension"].level is Level.FAILS
     assert found["static_edge_tension"].value > found["edge_tension"].value
-    words = found["transition_length"].sentence()
+    words = check_words(found["transition_length"])
     # 2.4 widths for 35 deg in full at 60 to 90 % of the rating: 150 kN on 1.2 m of 175 kN/m
     assert "1000 mm, is shorter than the 2880 mm that is customary for fabric" in words
 

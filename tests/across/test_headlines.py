@@ -64,9 +64,9 @@ def test_the_headline_of_every_door(case: str, tmp_path: Path) -> None:
     name, given, words = CASES[case]
     sets = [x for text in (*QUIET, *given) for x in ("--set", text)]
     told = wraparc("solve", EXAMPLES / f"{name}.toml", *sets, "--json", "-").json["verdict"]
-    assert words in " ".join([told["headline"], *told["sentences"]])
+    assert words in " ".join([told["text"], *told["sentences"]])
     if case == "edge":
-        assert words in told["headline"]
+        assert words in told["text"]
         assert told["level"] == "FAILS"
     note, book = tmp_path / "note.md", tmp_path / "note.xlsx"
     assert wraparc("report", EXAMPLES / f"{name}.toml", *sets, "--output", note).code in (0, 1)
@@ -86,8 +86,8 @@ def test_the_page_says_what_the_command_line_says() -> None:
     drive = load_drive(EXAMPLES / f"{CORD}.toml")
     found = solve_width(AcrossRequest(document=_document(CORD)))
     assert found.verdict.level == "FAILS"
-    assert EDGE in worded(found.verdict.headline)
-    assert "PIW" in worded(found.verdict.headline, "us")
+    assert EDGE in worded(found.verdict.text)
+    assert "PIW" in worded(found.verdict.text, "us")
     strips = solve_across(drive)
     assert found.numbers["entry_unevenness"] == pytest.approx(strips.entry_unevenness)
     assert found.map is not None
@@ -99,7 +99,7 @@ def test_the_page_wears_and_compares() -> None:
     document = _document(FABRIC)
     worn = wear_width(AcrossWearRequest(document=document, hours=2e4, passes=2e6))
     assert worn.heals
-    assert worded(worn.verdict.headline).startswith("Heals: wear evens it out")
+    assert worded(worn.verdict.text).startswith("Heals: wear evens it out")
     assert "hours of running" in worded(worn.verdict.sentences[-1])
     with pytest.raises(InputError, match="nothing is worn off yet"):
         wear_width(AcrossWearRequest(document=_document(CORD), hours=2e4))
@@ -166,7 +166,7 @@ def test_a_lagging_that_is_down_already_is_not_said_to_heal() -> None:
     now = solve_across(load_drive(EXAMPLES / f"{FABRIC}.toml"), strips=4)
     told = shown(wear_verdict(now, march_wear(now.wide, 1e-4, per_depth=1), 20e-3), "si")
     assert told.level is Level.ATTENTION
-    assert told.headline == "Re-lag now: the thinnest strip is down to 20 mm already."
+    assert told.text == "Re-lag now: the thinnest strip is down to 20 mm already."
     assert not told.sentences
 
 

@@ -52,7 +52,7 @@ SHEETS: dict[str, Callable[[], Sheet]] = {
 def told(sheet: Sheet) -> Iterator[str]:
     """Yield the texts of tables and verdict."""
     if sheet.verdict is not None:
-        yield from (sheet.verdict.headline, sheet.verdict.action, *sheet.verdict.sentences)
+        yield from (sheet.verdict.text, sheet.verdict.action, *sheet.verdict.sentences)
     for table in sheet.tables:
         yield from table.heads
         for row in table.rows:

@@ -37,7 +37,7 @@ def test_constant_friction_reaches_gross_slip_with_the_whole_wrap_slipping() -> 
     assert "extrapolation" not in gross.note
     sheet = told_in(drive_sheet([constant(150e3, 30e3, 0.4)]), "si")
     assert sheet.verdict is not None
-    told = " ".join((sheet.verdict.headline, *sheet.verdict.sentences))
+    told = " ".join((sheet.verdict.text, *sheet.verdict.sentences))
     assert "no creep carries the pull" in told
 
 

@@ -134,7 +134,7 @@ def test_gross_slip_is_marked_as_an_extrapolation_and_never_headlined() -> None:
         assert gross.note.startswith("extrapolated, ")
         assert sheet.verdict is not None
         shown = gross.values[0]
-        assert shown not in " ".join((sheet.verdict.headline, *sheet.verdict.sentences))
+        assert shown not in " ".join((sheet.verdict.text, *sheet.verdict.sentences))
 
 
 def test_a_breakaway_shows_no_state_that_was_not_asked_for() -> None:

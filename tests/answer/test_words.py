@@ -21,9 +21,9 @@ def test_within_the_limit() -> None:
     assert result.capacities.least_exit_tension < least
     assert told.level is Level.OK
     assert told.told == "OK, on illustrative data"
-    assert told.headline.startswith("All ")
-    assert "nearest to its limit is belt tension" in told.headline
-    assert "100 kN, at most 210 kN" in told.headline
+    assert told.text.startswith("All ")
+    assert "nearest to its limit is belt tension" in told.text
+    assert "100 kN, at most 210 kN" in told.text
     assert told.sentences == (
         "The least slack-side tension with which every check that it helps passes is "
         f"{least / 1e3:.2f} kN, set by the least wrap pressure tested (pulley head, load case "
@@ -36,7 +36,7 @@ def test_over_the_limit() -> None:
     told, result = told_in(verdict(solved()), "si"), solved().arc("head")
     least = result.capacities.least_exit_tension / 1e3
     assert told.level is Level.ATTENTION
-    assert told.headline.startswith(
+    assert told.text.startswith(
         f"Pulley head, load case full: Creeps {1e3 * result.exit_creep:.2f} mm, more than the "
         "limit of 6.35 mm. Practice may allow this belt up to 12.7 mm"
     )
@@ -65,15 +65,15 @@ def test_no_slack_side_helps() -> None:
         "No slack-side tension with wrap pressures in the tested range keeps the creep limit "
         "(pulley head, load case full)."
     )
-    assert "Raise the slack-side tension" not in " ".join((told.headline, *told.sentences))
+    assert "Raise the slack-side tension" not in " ".join((told.text, *told.sentences))
 
 
 def test_breakaway_of_a_law_that_never_falls() -> None:
     told, result = told_in(verdict(solved(150e3, 2e3)), "si"), solved(150e3, 2e3).arc("head")
     c = result.capacities
     assert told.level is Level.FAILS
-    assert told.headline.startswith("Pulley head, load case full: Gross slip: no creep carries")
-    assert told.headline.endswith("choose a lagging with more friction.")
+    assert told.text.startswith("Pulley head, load case full: Gross slip: no creep carries")
+    assert told.text.endswith("choose a lagging with more friction.")
     assert told.sentences[-1] == (
         f"Asked for T1/T2 = 75; at the creep limit it carries T1/T2 = {c.creep_limit_capacity:.2f}."
     )
@@ -91,7 +91,7 @@ def test_breakaway_of_a_braking_pulley_speaks_of_its_own_side() -> None:
 
 def test_what_lies_outside_the_tests_is_told() -> None:
     told = told_in(verdict(sticking()), "si")
-    text = " ".join((told.headline, *told.sentences))
+    text = " ".join((told.text, *told.sentences))
     assert "above the 300 kPa tested on lagging sticky" in text
     assert "below the 140 kPa" in text
     assert "beyond the 2 mm" in text
@@ -108,7 +108,7 @@ def test_several_arcs_and_the_one_that_governs() -> None:
     several = solve(replace(base, load_cases=tuple(cases)), raise_on_failure=False)
     told = told_in(verdict(several), "si")
     assert told.level is Level.FAILS
-    assert told.headline.startswith("Pulley head, load case start: Gross slip")
+    assert told.text.startswith("Pulley head, load case start: Gross slip")
     assert any("ATTENTION: Pulley head, load case full: Creeps" in s for s in told.sentences)
     answers = [short(several, arc) for arc in several]
     assert answers == ["over creep limit", "carries", "breaks away"]
@@ -133,7 +133,7 @@ def test_a_surface_without_design_values_is_not_compared() -> None:
 
 def test_us_units_reach_every_sentence() -> None:
     told = shown(verdict(solved()), "us")
-    text = " ".join((told.headline, *told.sentences))
+    text = " ".join((told.text, *told.sentences))
     assert "0.25 in" in text
     for unit in ("mm", "kN", "kPa"):
         assert f" {unit}" not in text
@@ -143,7 +143,7 @@ def test_us_units_reach_every_sentence() -> None:
 def test_no_sentence_runs_into_the_next(system: System) -> None:
     for result in (solved(), solved(150e3, 2e3), solved(100e3, 70e3), sticking()):
         told = shown(verdict(result), system)
-        for sentence in (told.headline, *told.sentences):
+        for sentence in (told.text, *told.sentences):
             assert sentence[0].isalnum()
             assert sentence.endswith(".")
             assert "  " not in sentence

@@ -191,7 +191,7 @@ def test_without_the_thickness_no_level_is_a_bare_ok(tmp_path: Path) -> None:
     assert bare is not None
     assert told is not None
     assert (bare.level, told.level) == (Level.ATTENTION, Level.OK)
-    assert "at most -1 % between shaft and belt; alarm at -0.725 %" in told.headline
+    assert "at most -1 % between shaft and belt; alarm at -0.725 %" in told.text
 
 
 def test_levels_of_a_braking_pulley_are_below() -> None:
@@ -204,7 +204,7 @@ def test_levels_of_a_braking_pulley_are_below() -> None:
     )  # fmt: skip
     assert found.worst_seen == pytest.approx(1 - 1.02 * 1.010)
     assert found.seen(found.alarm, 0.0) == pytest.approx(1 - 1.02 * 1.0125)
-    headline = told_in(field_sheet(found, Verdict(()), "Drive", "head"), "si").verdict.headline  # type: ignore[union-attr]
+    headline = told_in(field_sheet(found, Verdict(()), "Drive", "head"), "si").verdict.text  # type: ignore[union-attr]
     assert "at least -3.02 % between shaft and belt; alarm at -3.275 %" in headline
 
 

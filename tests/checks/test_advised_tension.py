@@ -159,4 +159,4 @@ def test_what_no_tension_keeps_sets_none_and_is_named_so() -> None:
     table = least_table(result)
     assert table is not None
     notes = [row.note for row in table.rows if row.title.startswith("Creep when wet")]
-    assert notes == ["not counted, as no tension keeps all, pulley head, load case full"]
+    assert notes == ["not counted: no tension passes"]

@@ -23,6 +23,7 @@ from wraparc.arc import Distributed
 from wraparc.checks import Level, judge
 from wraparc.files.write import drive_document, drive_text
 from wraparc.render import markdown, workbook
+from wraparc.units import in_units
 from wraparc.web.answers.drives import solve_all
 from wraparc.web.asked import SolveRequest
 
@@ -57,7 +58,7 @@ def test_every_door_tells_the_same(number: int, tmp_path: Path) -> None:
     judged = {c.title: c.level.value for c in verdict.listed if c.compares}
 
     data = result_document([result])["verdict"]
-    assert (data["level"], data["word"]) == (verdict.level.value, verdict.word)
+    assert (data["level"], data["label"]) == (verdict.level.value, verdict.label)
     assert {c["title"]: c["level"] for c in data["checks"]} == listed
 
     table = shown(drive_sheet([result]), "si").tables[0]
@@ -65,12 +66,12 @@ def test_every_door_tells_the_same(number: int, tmp_path: Path) -> None:
 
     request = SolveRequest(document=drive_document(result.drive))
     answer = solve_all(request)
-    assert (answer.verdict.level, answer.verdict.word) == (verdict.level, verdict.word)
-    assert worded(answer.verdict.headline) == verdict.headline()
+    assert (answer.verdict.level, answer.verdict.label) == (verdict.level, verdict.label)
+    assert worded(answer.verdict.text) == in_units(verdict.text)
     assert {row.title: str(row.level) for row in answer.checks.rows} == judged
 
     note = markdown([result])
-    assert f"**{verdict.word}.**" in note
+    assert f"**{verdict.label}** " in note
     assert all(f"| {title} |" in note for title in judged)
 
     rows = sheets(workbook([result]))["Summary"]
@@ -80,6 +81,6 @@ def test_every_door_tells_the_same(number: int, tmp_path: Path) -> None:
     path = tmp_path / "drive.toml"
     path.write_text(drive_text(result.drive), "utf-8")
     ran = wraparc("solve", path)
-    assert ran.out.splitlines()[2].startswith(verdict.word)
+    assert ran.out.splitlines()[2].startswith(verdict.label)
     assert ran.code == {Level.FAILS: 1, Level.FAULT: 3}.get(verdict.level, 0)
     assert io.StringIO(ran.out).readline().strip() == "Test drive"

@@ -22,7 +22,7 @@ from wraparc.batch.result import BatchResult
 from wraparc.batch.row import EVERYTHING, TENSIONS
 from wraparc.catalogue import design_friction
 from wraparc.checks import Check, Level, judge
-from wraparc.checks.design_standard import asked, wrap_factors
+from wraparc.checks.design_standard import find_requirement, wrap_factors
 from wraparc.checks.of_arc import slip_speed
 from wraparc.checks.of_rows import LEVELS, NAMES, worst_of_rows
 from wraparc.checks.rules import ACROSS_CHECKS
@@ -114,7 +114,7 @@ def test_a_creep_of_ten_customary_limits_is_sliding(
     assert of_rows(of)[0] == one_by_one(of)[0] == level
     found = next(c for c in judge(solve(of, method=QUICK)).checks if c.name == "creep")
     said = level == "FAILS" and limit < 63.5e-3
-    assert ("more than 63.5 mm slides" in found.sentence()) is said
+    assert ("exceeds 63.5 mm: gross slip" in in_units(found.text)) is said
     (slides,) = (c for c in judge(solve(of, method=QUICK)).checks if c.name == "gross_slip")
     assert (slides.value < 1.0) is (level == "FAILS")
 
@@ -263,8 +263,9 @@ def test_a_law_that_does_not_fit_its_tests_asks_for_attention_in_rows_too() -> N
     of = quiet(lagging=replace(SOFT, fit=fit))
     assert one_by_one(of) == ("ATTENTION", "fit")
     assert of_rows(of) == one_by_one(of)
-    headline = judge(solve(of)).headline()
-    assert "misses the tests by 9 % of the peak (and 1 more of its lagging file)" in headline
+    verdict = judge(solve(of))
+    assert in_units(verdict.text) == "Friction law of plain deviates from its tests (head, full)."
+    assert "misses the tests by 9 % of the peak (and 1 more of its lagging file)" in verdict.full[0]
 
 
 @pytest.mark.parametrize("times", [1e-3, 0.5, 0.99, 1.01, 2.0])
@@ -295,6 +296,6 @@ def test_wrap_factors_of_columns_are_those_of_the_standard(standard: str, fixed:
     surfaces = {d.surface for d in design_friction()}
     for surface in sorted(surfaces | {""}):
         lag = replace(SOFT, surface=surface)
-        one = [asked(rule, take_up, lag, float(a)) for a in angles]
+        one = [find_requirement(rule, take_up, lag, float(a)) for a in angles]
         expected = [math.nan if a is None else a.wrap_factor for a in one]
         np.testing.assert_allclose(wrap_factors(rule, take_up, lag, angles), expected, rtol=1e-14)

@@ -22,6 +22,7 @@ from wraparc.train.file import train_from_document
 
 OPEN = replace(NONE, covered=False)
 SOFT = load_lagging("diamond-rubber")
+from wraparc.units import in_units
 
 
 def wet_checks(of: Drive) -> list[Check]:
@@ -45,7 +46,7 @@ def test_an_estimate_beyond_the_limit_asks_for_attention() -> None:
     verdict = judged(tight)
     assert [c.name for c in verdict.missed] == ["wet_creep"]
     assert verdict.level is Level.ATTENTION
-    assert verdict.word == "ATTENTION"
+    assert verdict.label == "ATTENTION"
 
 
 def test_a_creep_that_exceeds_its_limit_dry_is_told_once() -> None:
@@ -58,16 +59,16 @@ def test_a_drive_that_slips_wet_has_no_number() -> None:
     of = quiet(lagging=lagging(0.3, surface="bare"), criteria=OPEN, creep_limit=0.06)
     (check,) = wet_checks(of)
     assert check.value == float("inf")
-    assert "Gross slip when wet (estimated)" in judged(of).headline()
+    assert "Gross slip when wet (estimated)" in in_units(judged(of).text)
 
 
 def test_unknown_wet_friction_is_said_in_the_word() -> None:
     of = quiet(lagging=lagging(surface=""), criteria=OPEN)
     verdict = judged(of)
-    assert verdict.word == "OK (dry)"
+    assert verdict.label == "OK (dry)"
     assert verdict.wet is not None
     assert verdict.wet.level is Level.NOT_CHECKED
-    assert "Wet: not checked, plain has no wet friction." in verdict.sentences()
+    assert verdict.wet_text == "Not checked: plain has no wet friction."
 
 
 def test_what_is_not_computed_dry_only_has_no_estimate() -> None:

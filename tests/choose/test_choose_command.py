@@ -192,7 +192,7 @@ def test_limits_of_a_search_do_not_hide_what_solve_says(
     assert verdict["level"] != "OK"
     assert f" {verdict['level']} " in chosen.words
     assert chosen.code == solved.code
-    wrong = verdict["headline"].partition(": ")[2].partition(". ")[0]
+    wrong = verdict["text"].partition(": ")[2].partition(". ")[0]
     assert wrong in chosen.words
     assert "Action: Search again with that limit, or with other candidates." in chosen.words
 

@@ -271,7 +271,7 @@ def test_what_is_recommended_is_judged_as_solve_does(
     told = shown(choose_sheet(found), "si").verdict
     assert told is not None
     assert told.level is level
-    assert str(told.headline).startswith(begins)
+    assert str(told.text).startswith(begins)
 
 
 def test_a_lighter_belt_is_solved_with_its_own_modulus() -> None:

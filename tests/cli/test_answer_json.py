@@ -76,7 +76,7 @@ def test_the_numbers_are_those_of_the_results() -> None:
     }
     assert len(told) >= 6
     assert told == {name: arcs[0][name] for name in told}
-    head = document["answer"]["verdict"]["headline"]
+    head = document["answer"]["verdict"]["text"]
     assert [cell["value"] for cell in head["cells"]][:2] == [
         document["verdict"]["governing"]["value"], document["verdict"]["governing"]["limit"]
     ]  # fmt: skip
@@ -108,13 +108,13 @@ def test_the_json_of_a_train_has_the_verdict_on_the_train(tmp_path: Path) -> Non
     )
     told = wraparc("solve", file, "--json", "-").json
     lead = "The drives work against each other"
-    assert lead in told["verdict"]["headline"]
+    assert lead in told["verdict"]["text"]
     assert told["verdict"] == told["train"]["verdict"]
     assert told["least_tension"] == told["train"]["least_tension"]
     checks = [check["name"] for check in told["arcs"][0]["checks"]]
     assert checks[0] == "fight"
     dry, wet = told["conditions"]
-    assert lead in dry["headline"]
+    assert lead in dry["text"]
     assert "fight" in wet["checks"]
     assert lead in wraparc("solve", file).words
 

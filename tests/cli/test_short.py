@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from cli.running import DRIVE, Ran, drive_file, wraparc
+from worded import check_words
 from wraparc import load_drive, solve
 from wraparc.answer.motion_sheet import work
 from wraparc.answer.sheet import Row, Sheet, Table, Verdict
@@ -57,7 +58,7 @@ def test_an_example_is_one_screen_with_all_that_is_missed(name: str) -> None:
     assert len(lines(ran)) <= 40
     judged = judge(solve(load_drive(file), raise_on_failure=False))
     for check in judged.missed:
-        says = check.sentence().partition(". ")[0]
+        says = check_words(check).partition(". ")[0]
         assert " ".join(says.split()) in ran.words, check.name
         assert " ".join(check.title.split()[:4]) in ran.words  # the rest may be on another line
     for sentence in judged.data:
@@ -193,7 +194,7 @@ def test_rows_that_ask_for_attention_stay_and_others_are_counted() -> None:
 def test_the_action_stands_by_itself_in_the_words_of_the_headline() -> None:
     verdict = short_sheet(_sheet()).verdict
     assert verdict is not None
-    assert (verdict.headline, verdict.action) == ("Too much.", "Take less.")
+    assert (verdict.text, verdict.action) == ("Too much.", "Take less.")
 
 
 def test_kept_sentences_and_remarks_are_kept_and_the_others_counted() -> None:

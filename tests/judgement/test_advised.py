@@ -24,7 +24,6 @@ from wraparc.answer.train_words import matching_verdict
 from wraparc.answer.what_if_sheet import what_if_sheet
 from wraparc.answer.words import verdict
 from wraparc.checks import Check, Verdict, judge, judge_run
-from wraparc.checks.judge import EVEN
 from wraparc.checks.least_tension import least_tension
 from wraparc.checks.rules import ACROSS_CHECKS
 from wraparc.choose.file import search_from_document
@@ -37,7 +36,7 @@ from wraparc.files.write import drive_document
 from wraparc.motion import RunResult, simulate
 from wraparc.motion.file import motion_from_text
 from wraparc.train import Speeds, Train, match_drives
-from wraparc.units import parse_quantity
+from wraparc.units import in_units, parse_quantity
 
 pytestmark = pytest.mark.usefixtures("solved_once")
 
@@ -65,7 +64,7 @@ def followed(of: Drive) -> None:
     result = solve(of, raise_on_failure=False)
     told, found = shown(verdict(result), "si"), least_tension(result)
     assert found is not None
-    words = " ".join((told.headline, *told.sentences))
+    words = " ".join((told.text, *told.sentences))
     asks_more, asks_less = MORE.search(words), LESS.search(words)
     assert not (asks_more and asks_less), words
     least = re.search(r"every check that it helps passes is (\S+ \S+), set by", words)
@@ -134,7 +133,7 @@ def followed_choice(of: Drive, folder: Path) -> None:
     selection = choose(search)
     sheet = shown(choose_sheet(selection), "si")
     assert sheet.verdict is not None
-    found = re.search(r"Choose (\S+).* tension of (\S+ \S+?)[:,] ", sheet.verdict.headline)
+    found = re.search(r"Choose (\S+).* tension of (\S+ \S+?)[:,] ", sheet.verdict.text)
     if found is None:
         assert not len(selection.ranking)
         return
@@ -142,10 +141,10 @@ def followed_choice(of: Drive, folder: Path) -> None:
     (head,) = search.drive.pulleys
     chosen = replace(search.drive, pulleys=(replace(head, lagging=lagging),))
     told = judge(solve(with_slack(chosen, printed(found[2])), raise_on_failure=False))
-    if "cannot be applied" in sheet.verdict.headline:  # a rule that says nothing on this drive
+    if "cannot be applied" in sheet.verdict.text:  # a rule that says nothing on this drive
         told = Verdict(tuple(c for c in told.checks if c.name != "design_standard"))
     assert {c.name for c in told.missed if c.binding or c.name == "design_standard"} == set()
-    assert "below" not in sheet.verdict.headline
+    assert "below" not in sheet.verdict.text
 
 
 @pytest.mark.parametrize("number", range(0, 40, 8))
@@ -201,7 +200,7 @@ def followed_across(of: Drive, number: int) -> None:
     """Even out the pulley, or take another tension, as the checks across the width advise."""
     uneven = unevened(of, number)
     told = judge(solve(uneven, raise_on_failure=False))
-    words = " ".join((told.headline(), *told.sentences()))
+    words = " ".join((in_units(told.text), *told.sentences()))
     assert not (MORE.search(words) and LESS.search(words)), words
     even = judge(solve(of, raise_on_failure=False))
     for check in told.missed:
@@ -233,7 +232,7 @@ def followed_run(number: int) -> None:
         )
         run = started(**numbers)
     told = judge_run(run)
-    words = " ".join((told.headline(), *told.sentences()))
+    words = " ".join((in_units(told.text), *told.sentences()))
     assert not (MORE.search(words) and LESS.search(words)), words
     for check in told.missed:
         for asked, change in (
@@ -278,7 +277,7 @@ def test_a_contradiction_is_seen() -> None:
     """A pull that no tension carries within belt and tests: neither more nor less is advised."""
     of = next(d for d in random_drives(40, seed=11) if _none(d))
     told: Verdict = judge(solve(of, raise_on_failure=False))
-    words = " ".join((told.headline(), *told.sentences()))
+    words = " ".join((in_units(told.text), *told.sentences()))
     assert not MORE.search(words)
     assert not LESS.search(words)
     assert "No slack-side tension" in " ".join(

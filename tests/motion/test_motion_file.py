@@ -34,6 +34,7 @@ from wraparc.motion.file import motion_from_text, read_record
 from wraparc.motion.result import Peak, RunResult
 from wraparc.plot.motion import plot_run, plot_stability, plot_stability_map
 from wraparc.train import Motor
+from wraparc.units import in_units
 
 TANDEMS = ["examples/tandem-fabric.toml", "examples/tandem-steel-cord.toml"]
 INERTIA = 'inertia = "2200 kg m2"'
@@ -250,8 +251,8 @@ def test_pictures_and_words_of_a_run_and_of_a_follower() -> None:
     found = stability(motion.station)
     verdict = shown(stability_sheet(found), "si").verdict
     assert verdict is not None
-    assert verdict.headline.startswith("Yes, it pulsates by itself")
-    assert "2.79 Hz" in verdict.headline
+    assert verdict.text.startswith("Yes, it pulsates by itself")
+    assert "2.79 Hz" in verdict.text
     assert "damping" in verdict.sentences[0]
     assert plot_stability(found).to_bytes("png")[:4] == b"\x89PNG"
     assert plot_stability_map(stability_map(motion.station, points=4)).to_bytes("png")
@@ -267,7 +268,7 @@ def test_the_note_follows_the_events_that_ask_for_it(tmp_path: Path) -> None:
     assert "does not pulsate by itself" in text
     worst = judge_run(short_run())
     # its checks count: they stand among the others, and in the headline where they are the worst
-    assert worst.headline() in " ".join(text.split())
+    assert in_units(worst.text) in " ".join(text.split())
     assert done.code in (0, 1)
     plain = tmp_path / "plain.md"
     run_command("report", TANDEMS[0], "-o", str(plain))
@@ -286,7 +287,7 @@ def test_a_belt_that_slides_through_an_event_fails_it(creep: float, level: str) 
     slid = replace(run, drums=(replace(first, extremes=most), *others))
     verdict = judge_run(slid)
     assert verdict.level.value == level
-    assert ("is gross slip" in verdict.headline()) == (level == "FAILS")
+    assert ("is gross slip" in in_units(verdict.text)) == (level == "FAILS")
 
 
 def test_peaks_and_verdict_do_not_hang_on_the_rows_that_are_kept() -> None:

@@ -59,7 +59,7 @@ def test_a_row_is_the_run_of_its_design_and_a_refused_one_says_why(tmp_path: Pat
     # the other doors tell the same
     assert f"1 {judge_run(run).word}; 1 refused" in done.out
     refused, followed = json.loads(data.read_text("utf-8"))["designs"]
-    assert (refused["word"], refused["peak_creep"]) == ("refused", None)
+    assert (refused["label"], refused["peak_creep"]) == ("refused", None)
     assert followed["peak_creep"] == float(rows[1]["peak creep [m]"])
     drawn = picture.read_text("utf-8")
     assert judge_run(run).word in drawn

@@ -1,6 +1,7 @@
 """The least slack-side tension and the margins to gross slip: sentence, tables, plain data."""
 
 import math
+from collections.abc import Iterator
 from typing import Any
 
 from wraparc.answer.sheet import NONE, Row, Table, named, quantity
@@ -36,7 +37,7 @@ def at_most(tension: float) -> str:
 
 
 def divides_anew(result: DriveResult | TrainResult) -> bool:
-    """Whether another tension divides the load anew, as drums do that turn as given."""
+    """Return whether another tension divides the load anew, as of pulleys with given speeds."""
     return isinstance(result, TrainResult) and not all(c.case.pulls_given for c in result)
 
 
@@ -77,7 +78,17 @@ def least_table(result: DriveResult | TrainResult) -> Table | None:
         status = "governs" if figure is found.governing else status
         rows.append(Row(figure.title, (text, str(figure.place), status), name=figure.name))
     heads = (f"Minimum {name}", "Place", "Status")
-    return Table(f"Minimum {name} by check", tuple(rows), heads, name="least")
+    note = " ".join(_conditions(result))
+    return Table(f"Minimum {name} by check", tuple(rows), heads, note, "least")
+
+
+def _conditions(result: DriveResult | TrainResult) -> Iterator[str]:
+    """Yield under what conditions the minimum tension is one."""
+    if divides_anew(result):
+        yield "Computed at the load shares of now: another tension divides the load anew."
+    described = result.drive if isinstance(result, DriveResult) else result.train
+    if any(pulley.across for pulley in described.pulleys):
+        yield "Computed for even pulleys."
 
 
 def least_name(result: DriveResult | TrainResult) -> str:

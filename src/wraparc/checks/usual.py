@@ -36,7 +36,7 @@ from wraparc.drive import Drive, Lagging, LoadCase, Pulley
 from wraparc.drive.pitch import pitch_offset
 from wraparc.train import Motor, Motors, Speeds, Train
 from wraparc.train.motors import VariableSpeed
-from wraparc.units import Cell, Dimension, meant_by, quantity
+from wraparc.units import Cell, Dimension, meant_by
 
 Ends = tuple[float, float]
 
@@ -345,9 +345,8 @@ def unusual(
         action = "Give each pulley its own wrap."
     if name in _CHECKED:
         action = f"Check {_CHECKED[name]}."
-    range_ = quantity(most, dimension) if least == 0.0 else Cell(most, dimension, 3, "to", least)
-    ends_text = f"the usual maximum {range_}" if least == 0.0 else f"the usual {range_}"
-    headline = f"{name[:1].upper()}{name[1:]} {{value}} is outside {ends_text}"
+    usual_ends = Cell(most, dimension, form="to", other=least)
+    headline = f"{name[:1].upper()}{name[1:]} {{value}} is outside the usual {usual_ends}"
     if name == _WRAP and value > most:
         headline = "Wrap {value} exceeds {limit} on one pulley"
     return Check(
