@@ -89,7 +89,7 @@ def drive_sheet(
     return Sheet(
         title=first.drive.title or "Drive",
         subtitle=first.drive.description,
-        verdict=with_sides(verdict(first), results),
+        verdict=with_sides(verdict(first, search=train is None), results),
         tables=tuple(tables),
         remarks=(*judge(first).remarks, *method_remarks(results)),
         kept=tuple(method_remarks(results)),

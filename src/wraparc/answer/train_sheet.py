@@ -45,6 +45,8 @@ def train_sheet(
     result: TrainResult,
     detail: Sequence[int] | None = None,
     pulleys: Sequence[DriveResult] = (),
+    *,
+    search: bool = True,
 ) -> Sheet:
     """Return everything to show of a solved train.
 
@@ -56,11 +58,13 @@ def train_sheet(
         Positions of the arcs to show in full, see `drive_sheet`.
     pulleys
         Its pulleys by one method or several; as in the train unless given.
+    search
+        Whether changes of the drive are tried for the action.
     """
     arcs = drive_sheet(list(pulleys) or [result.drive_result()], detail, result)
     checks = 1 + bool(least_tension(result)) + bool(result.train.conditions)
     tables = (*arcs.tables[:checks], *train_tables(result), *arcs.tables[checks:])
-    verdict = train_verdict(result)
+    verdict = train_verdict(result, search=search)
     return replace(arcs, verdict=verdict, tables=tables)
 
 

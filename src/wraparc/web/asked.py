@@ -73,7 +73,18 @@ class SolveRequest(Request):
     prepared: bool = Field(
         False, description="Whether to send the checks as numbers, of which the page goes on."
     )
+    search: bool = Field(
+        True, description="Whether changes are tried for the action; else see `/solve/action`."
+    )
     sequence: int = Field(0, ge=0, le=2**53)
+
+
+class ActionRequest(Request):
+    """What to do about the verdict on a drive."""
+
+    document: Document
+    load_case: Line | None = Field(None, description="Only this one.")
+    sequence: int = Field(0, ge=0, le=2**53, description="Comes back as it is.")
 
 
 class CheckRequest(Request):

@@ -3,6 +3,8 @@
 import math
 from dataclasses import replace
 
+from wraparc.actions import find_action
+from wraparc.answer.answer_data import text_data
 from wraparc.answer.arc_tables import answer_table, creep_table
 from wraparc.answer.checks_table import check_table
 from wraparc.answer.conditions_table import conditions_table
@@ -16,6 +18,7 @@ from wraparc.answer.least_tension import (
 )
 from wraparc.answer.sources import Sources
 from wraparc.answer.train_sheet import train_input_sheet
+from wraparc.answer.verdict_data import action_data
 from wraparc.answer.words import (
     alone_of,
     format_verdict,
@@ -34,6 +37,7 @@ from wraparc.web.answers.documents import asked_for, case_only, read
 from wraparc.web.answers.judging import Judging, judging
 from wraparc.web.answers.prepared import Prepared, prepared
 from wraparc.web.answers.shown import (
+    Action,
     Answer,
     Bar,
     Data,
@@ -57,7 +61,7 @@ from wraparc.web.answers.shown import (
     worded,
 )
 from wraparc.web.answers.trains import TrainPart, train_part
-from wraparc.web.asked import CheckRequest, FastRequest, SolveRequest
+from wraparc.web.asked import ActionRequest, CheckRequest, FastRequest, SolveRequest
 
 _PAPER_POINTS = 121
 
@@ -211,21 +215,41 @@ def solve_fast(asked: FastRequest) -> FastAnswer:
     )
 
 
+class ActionAnswer(Answer):
+    """What to do about the verdict on a drive; None where every check passes."""
+
+    sequence: int
+    action: Action | None
+
+
+def propose_action(asked: ActionRequest) -> ActionAnswer:
+    """What to do about the verdict, each change solved and judged before it is offered."""
+    action = find_action(_solved(asked.document, asked.load_case, Distributed().points))
+    plain = None if action is None else action_data(action, text_data)
+    return ActionAnswer(
+        sequence=asked.sequence,
+        action=None if plain is None else Action.model_validate(plain),
+    )
+
+
+def _solved(document: Data, load_case: str | None, points: int) -> DriveResult | TrainResult:
+    """Return a drive or train solved in all its load cases, or in one of them."""
+    thing = read(document)
+    if isinstance(thing, Train):
+        return solve_train(case_only(thing, load_case), raise_on_failure=False)
+    if load_case is not None:
+        thing = replace(thing, load_cases=(asked_for(thing, None, load_case)[1],))
+    return solve(thing, method=Distributed(points=points), raise_on_failure=False)
+
+
 def solve_all(asked: SolveRequest) -> SolveAnswer:
     """Every arc by both methods, with capacities, as ``wraparc solve --method both`` gives it."""
-    thing = read(asked.document)
     train: TrainPart | None = None
-    whole: DriveResult | TrainResult
-    if isinstance(thing, Train):
-        whole = solve_train(case_only(thing, asked.load_case), raise_on_failure=False)
-        first, train = whole.drive_result(), train_part(whole)
+    whole = _solved(asked.document, asked.load_case, asked.points)
+    if isinstance(whole, TrainResult):
+        first, train = whole.drive_result(), train_part(whole, search=asked.search)
     else:
-        if asked.load_case is not None:
-            case = asked_for(thing, None, asked.load_case)[1]
-            thing = replace(thing, load_cases=(case,))
-        whole = first = solve(
-            thing, method=Distributed(points=asked.points), raise_on_failure=False
-        )
+        first = whole
     drive, governing = first.drive, first.governing.arc
     second = solve(drive, method=PaperMarch(), raise_on_failure=False)
     sources = [Source(**source) for source in sources_of(drive)]
@@ -238,7 +262,7 @@ def solve_all(asked: SolveRequest) -> SolveAnswer:
         solved=first.solved,
         within_creep_limit=first.within_creep_limit,
         governing=Place(pulley=governing.pulley, load_case=governing.load_case),
-        verdict=(train and train.verdict) or Verdict.of(verdict(first)),
+        verdict=(train and train.verdict) or Verdict.of(verdict(first, search=asked.search)),
         remarks=_remarks(first),
         conditions=_conditions(first, whole),
         checks=tables([check_table(judge(whole))], ["checks"])[0],

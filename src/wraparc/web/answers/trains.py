@@ -94,9 +94,9 @@ def train(asked: TrainRequest) -> TrainAnswer:
     return TrainAnswer(judged=judged, matching=matching, **train_part(result).model_dump())
 
 
-def train_part(result: TrainResult) -> TrainPart:
+def train_part(result: TrainResult, *, search: bool = True) -> TrainPart:
     """Return what a solved train has to say beside its arcs."""
-    told = {**plain(train_document(result)), **sheet(train_sheet(result))}
+    told = {**plain(train_document(result)), **sheet(train_sheet(result, search=search))}
     return TrainPart(**told, sources=[Source(**s) for s in sources_of(result.drive_result().drive)])
 
 
