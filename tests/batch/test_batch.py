@@ -150,7 +150,7 @@ def test_breakaway_has_a_status_and_its_capacities() -> None:
     assert not batch.solved.any()
     assert STATUSES[1] == Status.BREAKAWAY.value
     assert np.isnan(batch["exit_creep"]).all()
-    assert np.all(batch["gross_slip_margin"] < 1.0)
+    assert np.all(batch["extrapolated_gross_slip_margin"] < 1.0)
     assert repr(batch) == "<BatchResult: 50 arcs, 50 breakaway>"
 
 

@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from wraparc.arc import Status
 from wraparc.arc.quantities import BREAKAWAY, REFUSED, SOLVED, UNSOLVED
-from wraparc.arrays import Array, Flags
+from wraparc.arrays import Array, Codes, Flags
 from wraparc.batch import row
 from wraparc.batch.arcs import Arcs
+from wraparc.batch.setting import Setting
 from wraparc.errors import pandas
+from wraparc.glossary import RENAMED
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -39,7 +42,8 @@ class BatchResult(Mapping[str, Array]):
     Columns have the names that `wraparc.arc.ArcResult.scalars` uses and are worked out when they
     are asked for. ``status`` is 0 solved, 1 breakaway, 2 unsolved, 3 refused, see `STATUSES`. What
     describes the operating point is nan where the arc is not solved; capacities and margins are
-    there on a breakaway too.
+    there on a breakaway too. ``gross_slip_safety`` is the number of the check "Safety against gross
+    slip"; the arcs are solved again for it.
 
     Attributes
     ----------
@@ -47,12 +51,42 @@ class BatchResult(Mapping[str, Array]):
         What was solved.
     found
         Rows of results, in the order of `row`, shape (n, 23).
+    setting
+        How accurately they were solved.
+    friction_factor, slip_factor
+        Factors on the friction and the slips of the laws, shape (n,); None for 1 [-].
+    tight_rise, slack_rise
+        Growth of the tight and the slack side per growth of the pull, shape (n,) [N]; None where
+        the slack side is held, as by a gravity take-up behind one pulley.
     """
 
     arcs: Arcs
     found: Array
+    setting: Setting = Setting.ENGINEERING
+    friction_factor: Array | None = None
+    slip_factor: Array | None = None
+    tight_rise: Array | None = None
+    slack_rise: Array | None = None
+
+    def growing(self, tight_rise: Array, slack_rise: Array) -> BatchResult:
+        """Return the same arcs with tensions that grow so with the pull [N]."""
+        if self.tight_rise is tight_rise and self.slack_rise is slack_rise:
+            return self
+        return replace(self, tight_rise=tight_rise, slack_rise=slack_rise)
+
+    @cached_property
+    def slides(self) -> tuple[Array, Codes]:
+        """Pull at which each belt slides over its pull, and what comes first, shape (n,) each.
+
+        See `wraparc.batch.sliding.slides_of`.
+        """
+        from wraparc.batch.sliding import slides_of  # takes this
+
+        return slides_of(self)
 
     def __getitem__(self, name: str) -> Array:
+        if name in RENAMED:
+            raise KeyError(RENAMED[name])
         column: Array = _COLUMNS[name](self)
         return column
 
@@ -226,7 +260,8 @@ _COLUMNS: dict[str, Callable[[BatchResult], Any]] = {
     "tested_slip_capacity": _ratio(row.SLIP_CAPACITY),
     "tested_slip_margin": _margin(row.SLIP_CAPACITY),
     "gross_slip_capacity": _ratio(row.GROSS_CAPACITY),
-    "gross_slip_margin": _margin(row.GROSS_CAPACITY),
+    "gross_slip_safety": lambda r: r.slides[0],
+    "extrapolated_gross_slip_margin": _margin(row.GROSS_CAPACITY),
     "gross_slip_creep": _place(row.GROSS_CREEP),
     "drum_torque": lambda r: 0.5 * r.arcs.diameter * _pull(r.arcs),
     "resultant_force": lambda r: np.hypot(*_resultant(r.arcs)),

@@ -103,4 +103,4 @@ def solve_scaled(
     ).found
     for place, (of_f, of_s) in FOUND_POWERS.items():
         found[:, place] *= f**of_f * s**of_s
-    return BatchResult(arcs, found)
+    return BatchResult(arcs, found, setting=setting, friction_factor=f, slip_factor=s)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
-from enum import StrEnum
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -14,6 +13,7 @@ from wraparc.batch import row
 from wraparc.batch.arcs import Arcs, arcs_of_table
 from wraparc.batch.result import BatchResult
 from wraparc.batch.rows import solve_rows
+from wraparc.batch.setting import Setting
 from wraparc.drive import Lagging
 from wraparc.errors import InputError, Problem
 
@@ -21,20 +21,6 @@ Progress = Callable[[int, int], object]
 
 #: rows of a chunk: enough to hide what its calls cost, few enough for threads to share the work
 CHUNK = 4096
-
-
-class Setting(StrEnum):
-    """How accurately a batch is solved."""
-
-    #: exit creep and shear within 1e-4 of the exact ones
-    ENGINEERING = "engineering"
-    #: within 1e-6
-    PRECISE = "precise"
-
-    @property
-    def accuracy(self) -> float:
-        """Largest relative error [-]."""
-        return 1e-4 if self is Setting.ENGINEERING else 1e-6
 
 
 def solve_batch(
@@ -124,7 +110,7 @@ def solve_arcs(
         found[which] = solve_rows(arcs.rows(which), wanted, setting.accuracy)[0]
 
     share_chunks(run, len(arcs), CHUNK, threads, progress)
-    return BatchResult(arcs, found)
+    return BatchResult(arcs, found, setting=setting)
 
 
 def share_chunks(

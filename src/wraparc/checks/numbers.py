@@ -14,8 +14,6 @@ from wraparc.arc.quantities import Buffer
 from wraparc.arrays import Number
 from wraparc.drive.pitch import USUAL_OFFSET
 
-#: Pull over tension that counts as none [-].
-IDLE = 1e-6
 #: Pull against each other over the largest pull that counts as none [-].
 SMALL_PULL = 1e-3
 #: More than any margin.
@@ -119,11 +117,6 @@ def order_of(margin: float, missed: bool, binding: bool, advises: bool, leads: b
     return max(found, -BEHIND) + 2.0 * BEHIND if missed and advises else found
 
 
-def idles(entry: float, leaving: float) -> bool:
-    """Whether an arc hands nothing over: its pulley is not driven."""
-    return abs(entry - leaving) <= IDLE * entry
-
-
 def usual(value: float, least: float, most: float) -> bool:
     """Whether a size is one that conveyor drives have; one that is not given or rigid is."""
     return not (value < least or (value > most and isfinite(value)))
@@ -186,22 +179,6 @@ def compared_motor(
 def held_alike(least: float, most: float) -> bool:
     """Whether one take-up can hold both tensions."""
     return most - least <= HELD * most
-
-
-def rise_among(pulls: Sequence[float], index: int, fixed: bool, after: int) -> tuple[float, float]:
-    """Growth of the tight and of the slack side of one of several pulleys with the pull of all [N].
-
-    As `gross_slip.rises`; `after` is the pulley behind which the take-up stands, -1 for none.
-    """
-    total, mine = sum(pulls), pulls[index]
-    ahead = sum(pulls[:index])
-    behind = sum(pulls[index + 1 :])
-    lost = 0.5 * abs(total) if fixed else 0.0
-    if not fixed and after >= 0:
-        lost = sum(pulls[after + 1 :]) if total >= 0.0 else -sum(pulls[: after + 1])
-    entry = (mine + behind if total >= 0.0 else -ahead) - lost
-    leaving = (behind if total >= 0.0 else -ahead - mine) - lost
-    return (entry, leaving) if mine >= 0.0 else (leaving, entry)
 
 
 def pull_against(pulls: Sequence[float]) -> float:

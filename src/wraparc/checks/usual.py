@@ -20,7 +20,6 @@ from wraparc.checks.numbers import (
     Sizes,
     compared_motor,
     compared_sizes,
-    idles,
     usual,
 )
 from wraparc.checks.rule import Rule
@@ -34,6 +33,7 @@ from wraparc.conveyor import (
 )
 from wraparc.drive import Drive, Lagging, LoadCase, Pulley
 from wraparc.drive.pitch import pitch_offset
+from wraparc.drive.pull import idles
 from wraparc.train import Motor, Motors, Speeds, Train
 from wraparc.train.motors import VariableSpeed
 from wraparc.units import Dimension, meant_by

@@ -11,12 +11,12 @@ import numpy as np
 from wraparc.arc import solve
 from wraparc.arrays import Array, Flags
 from wraparc.batch import Setting
+from wraparc.batch.sliding import LoadedRows, tight_at_sliding
 from wraparc.checks.design_standard import asked
-from wraparc.checks.gross_slip import given_up, rises_of
 from wraparc.checks.least_tension import figures
-from wraparc.checks.sliding_rows import LoadedRows, tight_at_sliding
 from wraparc.choose.search import Grid, Search
 from wraparc.drive import LoadCase
+from wraparc.drive.pull import given_up, rises_of
 
 
 def gross_slip_slack(search: Search, grid: Grid, case: LoadCase, condition: int) -> Array:

@@ -263,7 +263,8 @@ def _outputs(
     known = output_names()
     for name in names:
         if name not in known:
-            remedy = nearest(name, known) or f"There are {', '.join(known)}."
+            remedy = RENAMED.get(name) or nearest(name, known)
+            remedy = remedy or f"There are {', '.join(known)}."
             report.add(("outputs",), "no such result", remedy, name)
     return names
 
