@@ -38,7 +38,12 @@ LIMITS = Table(
     Entry("bond_stress", kind=_STRESS),
     Entry("creep_limit_margin", kind=_MARGIN, title="Least margin to the creep limit"),
     Entry("tested_slip_margin", kind=_MARGIN, title="Least margin to the edge of tested slip"),
-    Entry("gross_slip_margin", kind=_MARGIN, title="Least margin to gross slip"),
+    Entry(
+        "gross_slip_safety",
+        "That of the drive if left out.",
+        _MARGIN,
+        title="Least safety against gross slip",
+    ),
     Entry(
         "tested_pressure", "Kept if left out.", Flag(), title="Wrap pressures in the tested range"
     ),
