@@ -36,7 +36,7 @@ FLOORS: tuple[tuple[str, ...], ...] = (
     ("train", "across"),
     ("motion",),
     ("checks",),
-    ("study", "choose", "calibrate"),
+    ("study", "choose", "calibrate", "actions"),
     ("answer", "plot"),
     ("render",),
     ("web",),

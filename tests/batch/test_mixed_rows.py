@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 from batch.batches import OF_OPERATING_POINT, SMALL
-from batch.mixed import any_laggings, any_row, arc_of, table_of
+from batch.mixed import SHIPPED, any_laggings, any_row, arc_of, table_of
 from wraparc.arc import Distributed, WrapArc
 from wraparc.batch import STATUSES, Setting, solve_batch
 from wraparc.batch.arcs import arcs_of_table
@@ -136,3 +136,23 @@ def test_a_power_of_pressure_without_tests_ends_no_table() -> None:
     p1, n = 144e3 / (1.2 * 0.4), 0.4
     most = (1.0 - n * 0.7 * (2e5 / p1) ** n * math.pi) ** (-1.0 / n)
     assert batch["gross_slip_capacity"] == pytest.approx(most, rel=1e-6)
+
+
+def test_the_compression_modulus_follows_the_thickness_of_rows() -> None:
+    """Blocks that are lower bulge less: E_c of `Lagging.with_thickness`, unless it is given."""
+    laggings = [load_lagging(name) for name in SHIPPED]
+    rng = np.random.default_rng(54)
+    rows = [
+        any_row(rng, laggings) | {"lagging_thickness": float(rng.uniform(3e-3, 20e-3))}
+        for _ in range(12)
+    ]
+    batch = solve_batch(table_of(rows), laggings, setting=Setting.PRECISE, capacities=False)
+    fixed = {**table_of(rows), "compression_modulus": np.full(12, 2e7)}
+    for i, row in enumerate(rows):
+        thick = laggings[row["lagging"]].with_thickness(row["lagging_thickness"])
+        arc = arc_of({**row, "lagging": 0}, [thick])
+        assert isinstance(arc, WrapArc)
+        result = Distributed(capacities=False).solve(arc)
+        assert batch["exit_creep"][i] == pytest.approx(result.exit_creep, rel=1e-6, nan_ok=True)
+    moduli = arcs_of_table(fixed, laggings).compression_modulus
+    np.testing.assert_array_equal(moduli, 2e7)

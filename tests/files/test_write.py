@@ -72,7 +72,7 @@ def test_catalogue_laggings_read_back_equal(name: str) -> None:
 
 
 def test_a_changed_catalogue_lagging_reads_back_equal() -> None:
-    """Its modulus stands there, and no longer the blocks that it was estimated from."""
+    """The blocks that its modulus was estimated from stand there with it."""
     lagging = replace(load_lagging("diamond-rubber"), bond_strength=1e5)
     assert lagging.block is not None
     assert lagging_from_text(lagging_text(lagging)) == (lagging,)

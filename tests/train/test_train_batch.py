@@ -18,6 +18,7 @@ from train.trains import RPM, STEEL, case, held, pulleys, random_train, solved, 
 from wraparc.arc import Distributed
 from wraparc.batch import Setting
 from wraparc.errors import InputError
+from wraparc.files import load_lagging
 from wraparc.train import (
     FluidCoupling,
     Induction,
@@ -114,6 +115,30 @@ def test_what_wears_and_is_trimmed_keeps_the_speeds() -> None:
     assert trimmed.shares[0] == pytest.approx([0.6, 0.4], abs=1e-5)
     assert trimmed["p2"]["speed_trim"] == pytest.approx([trim, 1.001 * trim], rel=1e-7)
     assert trimmed.shares[1, 1] > 0.42
+
+
+def test_blocks_stiffen_as_they_wear() -> None:
+    """E_c of a worn drum is that of its blocks at the height that is left, by their shape."""
+    rubber = load_lagging("diamond-rubber")
+    of = train(pulleys(2, rubber), case(Shares((0.6, 0.4))))
+    columns: dict[str, Any] = {
+        "p1.lagging_thickness": [12e-3, 8e-3, 8e-3],
+        "p2.wear": [0.0, 4e-3, 4e-3],
+    }
+    fixed = {**columns, "p2.compression_modulus": np.array([2e7, 2e7, 2e7])}
+    worn = solve_train_batch(of, columns, setting=Setting.PRECISE)
+    left = rubber.with_thickness(8e-3)
+    assert left.compression_modulus > 1.4 * rubber.compression_modulus
+    for drum in ("p1", "p2"):
+        moduli = worn[drum].arcs.arcs.compression_modulus
+        expected = [rubber.compression_modulus, *[left.compression_modulus] * 2]
+        np.testing.assert_allclose(moduli, expected, rtol=1e-12)
+    given = solve_train_batch(of, fixed)["p2"].arcs.arcs.compression_modulus
+    np.testing.assert_array_equal(given, 2e7)
+    after = what_if(solve_train(of, method=EXACT), pulley="p2", wear=4e-3, method=EXACT)
+    assert after["p2"].arc.arc.compression_modulus == pytest.approx(
+        left.compression_modulus, rel=1e-12
+    )
 
 
 def test_given_shares_ask_for_speeds() -> None:

@@ -15,7 +15,7 @@ EXAMPLES = Path(__file__).parents[2] / "examples"
 HEAD = (EXAMPLES / "head-drive-fabric.toml").read_text("utf-8")
 #: The drive of the example in its load case design, in one that takes T2 over from it, and in
 #: one with both ends of its own.
-DESIGN = HEAD.partition("[[load_case]]")[0]
+DESIGN = f"covered = true\n{HEAD.partition('[[load_case]]')[0]}"
 SHARED = (
     DESIGN
     + '[[load_case]]\nname = "light"\npulley.head.entry_tension = "120 kN"\n'
@@ -105,9 +105,12 @@ def test_one_load_case_is_raised_alone_where_no_tension_keeps_all(
     visitor: Visitor, tmp_path: Path
 ) -> None:
     # expected: `wraparc solve` of the file before and after; 89.4 kN is what it prints for design
+    file, text = tmp_path / "before.toml", EXAMPLES / "head-drive-fabric.toml"
+    file.write_text(f"covered = true\n{text.read_text('utf-8')}", "utf-8")
     page = visitor.open("drive")
+    visitor.load(file)
     visitor.solved()
-    before = solved(EXAMPLES / "head-drive-fabric.toml")
+    before = solved(file)
     # beside the load case alone: its start no slack-side tension keeps
     expect(page.locator("#verdict .advice")).to_have_count(1)
     expect(page.locator(".verdict .advice")).to_have_count(0)

@@ -80,6 +80,7 @@ def test_the_first_two_lines_are_whole_and_the_action_does_what_it_says(
 ) -> None:
     entry, exit_, fields, level = DRIVES[name]
     page = typed(long_visit, entry, exit_)
+    page.evaluate("import('/static/main.js').then((m) => m.edit(['covered'], true))")
     for field, value in fields.items():
         page.fill(f"#f-{field}", value)
     long_visit.solved()
@@ -144,6 +145,7 @@ def test_a_drive_that_slips_is_offered_the_tension_of_the_standard(visitor: Visi
 def test_five_questions_are_answered_by_hub_sentence_and_drawing(visitor: Visitor) -> None:
     page = visitor.open("drive", unfold=False)
     visitor.alone()
+    page.evaluate("import('/static/main.js').then((m) => m.edit(['covered'], true))")
     page.locator("#cases").get_by_role("button", name="start").click()
     visitor.solved()
     # does it hold; what is wrong; what do I do; where on the arc; in which case
@@ -314,6 +316,8 @@ def test_a_server_that_is_gone_is_told_once_below_what_the_page_solves(
     visitor = Visitor(browser, server.address, SCREEN)
     page = visitor.open("drive", unfold=False)
     visitor.alone()
+    page.evaluate("import('/static/main.js').then((m) => m.edit(['covered'], true))")
+    visitor.solved()
     gone(page)
     # the page solves and judges this itself: it is an answer, and no old one
     expect(page.locator(".hub-number tspan").first).to_have_text("5.43")

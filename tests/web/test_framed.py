@@ -230,6 +230,7 @@ def test_the_action_of_drives_that_fail_is_what_helps(long_visit: Visitor) -> No
     doc = document("tandem-fabric")
     doc["train"]["exit_tension"] = "12 kN"
     doc["design_standard"] = {"name": "CEMA", "binding": True}
+    doc["covered"] = True
     take(page, doc)
     long_visit.solved()
     long_visit.open("train", unfold=False)
@@ -294,3 +295,22 @@ def test_what_would_help_is_judged_in_every_load_case(long_visit: Visitor) -> No
     assert judged.within("design").level is Level.OK
     told = page.locator(".ways li").filter(has_text="Full ceramic")
     expect(told).to_contain_text(f", {judged.level}")
+
+
+def test_a_second_drive_takes_the_load_cases_along_and_gives_them_back(
+    long_visit: Visitor,
+) -> None:
+    page = shows(long_visit, "head-drive-fabric", "train")
+    design = "() => JSON.parse(localStorage.getItem('wraparc.drafts'))[0].doc"
+    page.get_by_role("button", name="Add a second drive").click()
+    expect(page.locator("#train .screen")).to_have_attribute("data-stands", "fresh")
+    several = page.evaluate(design)
+    assert [case["name"] for case in several["load_case"]] == ["empty", "start"]
+    assert all("train" in case for case in several["load_case"])
+    # what does not move is named, and comes back with a press
+    page.get_by_role("button", name="Remove this drive").last.click()
+    expect(page.locator("#toast")).to_contain_text("Removed: pulley second, train share.")
+    alone = page.evaluate(design)
+    assert [[*case["pulley"]] for case in alone["load_case"]] == [["head"], ["head"]]
+    page.locator("#toast").get_by_role("button", name="Undo").click()
+    assert page.evaluate(design) == several

@@ -476,6 +476,8 @@ JUDGED = """async () => {
 def test_checks_follow_the_slider_without_the_server(visitor: Visitor, tmp_path: Path) -> None:
     # expected: what `wraparc solve` says of the same drive
     page = visitor.open("drive")
+    page.evaluate("import('/static/main.js').then((m) => m.edit(['covered'], true))")
+    visitor.solved()
     visitor.alone()
     page.route("**/api/v1/solve**", lambda route: None)
     file = tmp_path / "moved.toml"

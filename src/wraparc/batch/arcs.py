@@ -270,9 +270,9 @@ def arcs_of_table(table: Mapping[str, ArrayLike], laggings: Sequence[Lagging] | 
     shapes = {name: column.value.shape for name, column in read.items()}
     n, problems = length_problems({**shapes, LAGGING: which_of.shape})
     which, more = _lagging_column(which_of, some, n)
-    columns = {}
+    columns: dict[str, Array] = {}
     for name in COLUMNS:
-        column = read.get(name) or Column(_default(name, some, which))
+        column = read.get(name) or Column(_default(name, some, which, columns))
         more += _refused(name, column)
         shape = column.value.shape
         value = column.value if shape in ((), (1,), (n,)) else np.array(nan)  # told already
@@ -340,14 +340,30 @@ def _lagging_column(
     return np.zeros(n, dtype=np.int64), [row_problem(LAGGING, bad.tolist(), text, allowed)]
 
 
-def _default(name: str, laggings: Sequence[Lagging], which: Integers) -> Array:
-    """A column that the table does not have."""
+def _default(
+    name: str, laggings: Sequence[Lagging], which: Integers, columns: Mapping[str, Array]
+) -> Array:
+    """A column that the table does not have; E_c by the thickness, which stands before it."""
     default = DEFAULTS[name]
     if default is not None:
         return np.array(default)
+    if name == "compression_modulus":
+        return compression_moduli(laggings, which, columns["lagging_thickness"])
     attribute = "thickness" if name == "lagging_thickness" else name
     of_lagging = [getattr(lag, attribute) for lag in laggings]
     return np.array([nan if v is None else v for v in of_lagging], dtype=float)[which]
+
+
+def compression_moduli(laggings: Sequence[Lagging], which: Integers, thickness: Array) -> Array:
+    """Return E_c of rows that each have the place of their lagging, at their thickness [Pa].
+
+    See `Lagging.compression_modulus_at`.
+    """
+    found = np.empty(len(which))
+    for i in present(which):
+        rows = which == i
+        found[rows] = laggings[i].compression_modulus_at(thickness[rows])
+    return found
 
 
 def _refused(name: str, column: Column) -> list[Problem]:

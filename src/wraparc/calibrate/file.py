@@ -458,9 +458,7 @@ def calibrated_lagging(found: Calibration, measured: Measured, name: str = "") -
     """
     lagging = found.drive.pulley(found.pulley).lagging
     before = measured.problem.drive.pulley(found.pulley).lagging
-    parts = ["thickness", "compression_modulus", "elastic_modulus"]
-    if "shear_modulus" not in measured.problem.parameters:
-        parts.append("shear_modulus")
+    parts = [part for part in before.LIMITS if part not in measured.problem.parameters]
     kept = {part: before.source_of(part) for part in parts if getattr(before, part) is not None}
     return replace(
         lagging,

@@ -142,6 +142,23 @@ class Held:
                 taken[of.name] = some
         return Held(**taken)
 
+    @classmethod
+    def joined(cls, every: Sequence[Held]) -> Held:
+        """Return what rows are held against that stand below each other."""
+        first, made = every[0], dict[str, Any]()
+        for of in fields(cls):
+            values = [getattr(held, of.name) for held in every]
+            value = values[0]
+            if isinstance(value, Mapping):
+                made[of.name] = {n: np.concatenate([v[n] for v in values]) for n in value}
+            elif isinstance(value, Sizes):
+                made[of.name] = Sizes(*map(np.concatenate, zip(*values, strict=True)))
+            elif isinstance(value, State):
+                made[of.name] = _joined_states(values)
+            else:
+                made[of.name] = np.concatenate(values)
+        return first if len(every) == 1 else cls(**made)
+
     def columns(self) -> Iterator[Array]:
         """Yield every column but those of the motors."""
         motors = {rule.name for rule in OF_MOTORS}
@@ -307,6 +324,12 @@ def _row(state: State[Array], which: Any) -> State[Any]:
     return State(**{name: getattr(state, name)[which] for name in numbers}, found={})
 
 
+def _joined_states(states: Sequence[State[Array]]) -> State[Array]:
+    numbers = [f.name for f in fields(states[0]) if f.name != "found"]
+    columns = {name: np.concatenate([getattr(s, name) for s in states]) for name in numbers}
+    return State(**columns, found={})
+
+
 def _open_trims(
     drives: Sequence[Drive], which: Integers, index: int, tensions: tuple[Array, Array]
 ) -> Flags:
@@ -373,7 +396,7 @@ def worst_of_rows(
     n = len(solved.arcs)
     level, governing = np.zeros(n, dtype=np.int8), np.zeros(n, dtype=np.int8)
     least = np.full(n, math.inf)
-    for check in checks_of_rows(solved, held, factors, setting):
+    for check in row_checks(solved, held, factors, setting):
         ranks, margins = check.rank, check.margin
         worse = (ranks > level) | ((ranks == level) & (ranks > 0) & (margins < least))
         worse |= (ranks > 0) & (governing == 0)
@@ -385,7 +408,7 @@ def worst_of_rows(
     return level, governing, least
 
 
-def checks_of_rows(
+def row_checks(
     solved: BatchResult,
     held: Held,
     factors: tuple[Array, Array],

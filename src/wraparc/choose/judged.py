@@ -18,7 +18,7 @@ from wraparc.checks.least_rows import figures_of_rows
 from wraparc.checks.least_tension import TAUT, taut
 from wraparc.checks.numbers import NUMBERLESS
 from wraparc.checks.of_drive import tension_factor, tension_rule
-from wraparc.checks.of_rows import OF_ROWS, Held, RowCheck, checks_of_rows, held_by
+from wraparc.checks.of_rows import OF_ROWS, Held, RowCheck, held_by, row_checks
 from wraparc.checks.rule import Rule
 from wraparc.checks.rules import OF_PULLEY
 from wraparc.choose.search import RATING, Grid, Search
@@ -192,7 +192,7 @@ def judge_rows(search: Search, grid: Grid, which: Integers, setting: Setting) ->
                 of_costs.append({name: np.array(solved[name]) for name in _OF_COSTS})
         factors = one[: len(some)], one[: len(some)]
         here = rules if own else [rule for rule in rules if rule not in MARGINS]
-        for check in checks_of_rows(solved, held, factors, setting, here):
+        for check in row_checks(solved, held, factors, setting, here):
             name = check.rule.name
             every = RowCheck(
                 check.rule,

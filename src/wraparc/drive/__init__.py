@@ -29,6 +29,7 @@ from wraparc.drive.fit import NORMAL_95, Fit, knots_of, with_peaks
 from wraparc.drive.lagging import SURFACES, Cost, Lagging
 from wraparc.drive.load_case import DESIGN, LoadCase, Tensions
 from wraparc.drive.pulley import Pulley
+from wraparc.drive.read_from import ReadFrom
 from wraparc.schema.limits import Limit
 
 __all__ = [
@@ -60,6 +61,7 @@ __all__ = [
     "Limit",
     "LoadCase",
     "Pulley",
+    "ReadFrom",
     "SafetyFactors",
     "Sag",
     "TakeUp",

@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import ClassVar, Literal
 
+from wraparc.arrays import Number
 from wraparc.errors import Problem, shown
 from wraparc.schema.limits import Limit, limit_problems, raise_all
 
@@ -53,7 +54,8 @@ class Block:
     @property
     def shape_factor(self) -> float:
         """S, loaded area over the area free to bulge [-]: a/(4 h) square, w/(2 h) strip."""
-        return shape_factor(self.shape == "square", self.width, self.height)
+        factor: float = shape_factor(self.shape == "square", self.width, self.height)
+        return factor
 
 
 def compression_modulus(elastic_modulus: float, block: Block) -> float:
@@ -81,19 +83,20 @@ def compression_modulus(elastic_modulus: float, block: Block) -> float:
     Rubber", MRPRA Technical Bulletin, 4th ed. (1978), for k by hardness.
     """
     square = block.shape == "square"
-    return block_modulus(
+    modulus: float = block_modulus(
         elastic_modulus, square, block.width, block.height, block.stiffening, block.contact_fraction
     )
+    return modulus
 
 
-def shape_factor(square: bool, width: float, height: float) -> float:
+def shape_factor(square: bool, width: float, height: Number) -> Number:
     """S, loaded area over the area free to bulge [-]: a/(4 h) square, w/(2 h) strip."""
     return width / ((4.0 if square else 2.0) * height)
 
 
 def block_modulus(
-    elastic_modulus: float, square: bool, width: float, height: float, k: float, contact: float
-) -> float:
+    elastic_modulus: float, square: bool, width: float, height: Number, k: float, contact: float
+) -> Number:
     """Effective compression modulus by plain numbers, see `compression_modulus` [Pa]."""
     s2 = shape_factor(square, width, height) ** 2
     if square:

@@ -13,6 +13,7 @@ from wraparc.drive.lagging import Lagging
 from wraparc.drive.load_case import LoadCase, heaviest
 from wraparc.drive.pitch import centrifugal_of, layers_of, touching_cover
 from wraparc.drive.pulley import Pulley
+from wraparc.drive.read_from import ReadFrom
 from wraparc.errors import Problem, no_such, shown
 from wraparc.schema.limits import Limit, limit_problems, raise_all
 from wraparc.units import display
@@ -48,6 +49,9 @@ class Drive(Viewable):
     conveyor
         What the tensions were computed from, or None where they are given. It says where they
         came from and is no part of what makes two drives equal.
+    read_from
+        The document that it was read from, or None; as little a part of it. A drive that was
+        changed since keeps that of before.
 
     Raises
     ------
@@ -65,6 +69,7 @@ class Drive(Viewable):
     criteria: Criteria = field(default_factory=Criteria)
     description: str = ""
     conveyor: Conveyor | None = field(default=None, compare=False)
+    read_from: ReadFrom | None = field(default=None, compare=False, repr=False)
 
     def __post_init__(self) -> None:
         problems = limit_problems(self, self.LIMITS)

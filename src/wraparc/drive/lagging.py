@@ -8,7 +8,7 @@ from typing import ClassVar
 import numpy as np
 
 from wraparc.arrays import Array
-from wraparc.drive.compression import Block, compression_modulus
+from wraparc.drive.compression import Block, block_modulus, compression_modulus
 from wraparc.drive.factors import ConditionFactor, Factors
 from wraparc.drive.fit import Fit
 from wraparc.errors import Problem, shown
@@ -181,10 +181,11 @@ class Lagging(Viewable):
         """
         if self.block is None or not math.isfinite(self.compression_modulus):
             return np.full(thickness.shape, self.compression_modulus)
-        usual = compression_modulus(1.0, self.block)
-        heights = np.maximum(self.block.height + thickness - self.thickness, 1e-4)
-        shaped = [compression_modulus(1.0, replace(self.block, height=h)) for h in heights.tolist()]
-        return np.asarray(self.compression_modulus * (np.array(shaped) / usual))
+        of, usual = self.block, compression_modulus(1.0, self.block)
+        heights = np.maximum(of.height + thickness - self.thickness, 1e-4)
+        square = of.shape == "square"
+        shaped = block_modulus(1.0, square, of.width, heights, of.stiffening, of.contact_fraction)
+        return np.asarray(self.compression_modulus * (shaped / usual))
 
     def with_thickness(self, thickness: float) -> "Lagging":
         """Return the lagging at another thickness [m], E_c by the shape factor of its blocks.

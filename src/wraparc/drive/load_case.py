@@ -169,12 +169,15 @@ class LoadCase:
         allow. A conveyor that is held back all the time is running.
     condition
         Condition of the laggings, ``wet`` ...; empty for that which the pulleys say.
+    description
+        What happens then.
     """
 
     name: str
     tensions: Mapping[str, Tensions] = field(hash=False)
     kind: CaseKind = "running"
     condition: str = ""
+    description: str = ""
 
     def __post_init__(self) -> None:
         problems = choice_problems(self, {"kind": CASE_KINDS})

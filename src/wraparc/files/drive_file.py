@@ -3,7 +3,7 @@
 import os
 from typing import cast
 
-from wraparc.drive import DESIGN, Belt, Drive, LoadCase, Pulley, TakeUp, repeated
+from wraparc.drive import DESIGN, Belt, Drive, LoadCase, Pulley, ReadFrom, TakeUp, repeated
 from wraparc.drive.drive import least_tensions
 from wraparc.drive.pitch import pitch_offset
 from wraparc.errors import InputError, nearest, shown
@@ -121,6 +121,7 @@ def drive_from_document(
             load_cases=in_each_condition(cases, conditions),
             criteria=criteria,
             conveyor=conveyor,
+            read_from=ReadFrom(document, folder, allow_paths),
             **parts,
         )
     )
@@ -156,6 +157,7 @@ def _load_cases(
         tensions = resolve(given, speed, report, sure=whole)
         if "name" in case:
             more = {"kind": case.get("kind", "running"), "condition": condition_name(case)}
+            more["description"] = case.get("description", "")
             built.append(LoadCase(name=case["name"], tensions=tensions, **more))
     for problem in repeated("load_case", (case.name for case in built)):
         report.take(InputError(problem), ())

@@ -11,6 +11,7 @@ from wraparc.conveyor.keys import CONVEYOR
 from wraparc.drive import (
     DESIGN,
     Belt,
+    Block,
     Criteria,
     Drive,
     Factors,
@@ -27,7 +28,7 @@ from wraparc.files.drive_build import Laggings, build_belt
 from wraparc.files.drive_file import drive_from_document
 from wraparc.files.drive_keys import BELT, CRITERIA, DRIVE, LOAD_CASE, PULLEY
 from wraparc.files.lagging_file import load_lagging_conditions
-from wraparc.files.lagging_keys import FIT, LAGGING_FILE, LAGGING_GIVEN
+from wraparc.files.lagging_keys import BLOCK, FIT, LAGGING_FILE, LAGGING_GIVEN
 from wraparc.files.law_tables import law_table
 from wraparc.provenance import Provenance
 from wraparc.saving import save_file
@@ -244,7 +245,28 @@ def _lagging_table(laggings: Lagging | Sequence[Lagging]) -> Tables:
         message = f"laggings of one file differ in more than their laws: {first.name}"
         raise input_error(message=message, remedy="Write them into files of their own.")
     laws = [_law(lagging, lagging.notes[len(shared) :]) for lagging in several]
-    return {**commons[0], "law": laws if len(laws) > 1 else laws[0]}
+    table = {**commons[0], "law": laws if len(laws) > 1 else laws[0]}
+    if first.block is None:
+        return table
+    shaped = _with_blocks(table, first.block)
+    again = _laggings_of(shaped)
+    same = again == several and all(lagging.block == first.block for lagging in again)
+    return shaped if same else table
+
+
+def _with_blocks(table: Tables, block: Block) -> Tables:
+    """Return the table of a lagging with its blocks in the place of the modulus that they make."""
+    part = "compression_modulus"
+    sources = {k: of for k, of in (table.get("sources") or {}).items() if k != part}
+    rest = {key: value for key, value in table.items() if key not in (part, "sources")}
+    return {**rest, "block": BLOCK.written(block), **({"sources": sources} if sources else {})}
+
+
+def _laggings_of(table: Tables) -> tuple[Lagging, ...]:
+    """Return the laggings that a table is read as; none if it is refused."""
+    report = Report()
+    record = LAGGING_GIVEN.read(table, ("lagging",), report)
+    return Laggings({}, "", False, report).of(record, ())
 
 
 def _shared_notes(laggings: Sequence[Lagging]) -> tuple[str, ...]:
@@ -261,7 +283,7 @@ def _common(lagging: Lagging) -> Tables:
     sources = {k: PROVENANCE.written(of) for k, of in lagging.sources.items() if k not in of_law}
     elsewhere: Tables = dict.fromkeys(
         (*moduli, "block") if rigid else ("block",)
-    )  # the modulus is there
+    )  # blocks are written by `_with_blocks`
     of = _factors(lagging)
     for key in ("slip_speed", "temperature"):
         value = getattr(of, key, None)

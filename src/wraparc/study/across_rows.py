@@ -78,9 +78,8 @@ def _row(
     pulley, case = drive.pulley(where[0]), drive.load_case(where[1])
     lagging = pulley.lagging_in(case.condition)
     lagging = replace(
-        lagging,
+        lagging.with_thickness(row["lagging_thickness"]),
         law=lagging.law.scaled(friction, slip),
-        thickness=row["lagging_thickness"],
         shear_modulus=row["shear_modulus"],
         compression_modulus=row["compression_modulus"],
     )

@@ -11,7 +11,7 @@ import numpy as np
 from wraparc.arc.wrap_arc import of_belt
 from wraparc.arrays import Array, Integers
 from wraparc.batch import Setting
-from wraparc.batch.arcs import COLUMNS, Arcs
+from wraparc.batch.arcs import COLUMNS, Arcs, compression_moduli
 from wraparc.batch.laws import LawBank
 from wraparc.checks.of_rows import Held, held_by
 from wraparc.checks.of_train import MOMENTARY_LOAD, MOTOR_LOAD
@@ -227,6 +227,10 @@ class DriveSource:
                 columns["diameter"] = columns["diameter"] - 2.0 * values[name]
                 columns["lagging_thickness"] = columns["lagging_thickness"] - values[name]
         valid &= columns["lagging_thickness"] >= 0.0
+        if "compression_modulus" not in (self._columns[f] for f in self._columns if f in values):
+            laggings = [d.pulley(self.pulley).lagging for d in drives]
+            thickness = columns["lagging_thickness"]
+            columns["compression_modulus"] = compression_moduli(laggings, which, thickness)
         if self.divides is not None:
             divided = self.divides.solve(values, size, load_case, self.setting)
             entries, exits = divided.entries, divided.exits

@@ -59,7 +59,7 @@ def what_if(
     changed = replace(
         old,
         diameter=old.diameter - 2.0 * wear,
-        lagging=replace(new, thickness=new.thickness - wear),
+        lagging=new.with_thickness(new.thickness - wear),
     )
     pulleys = (*train.pulleys[:index], changed, *train.pulleys[index + 1 :])
     train = replace(train, pulleys=pulleys, nominal_diameters=train.nominal)

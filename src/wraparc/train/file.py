@@ -5,7 +5,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import Any, cast
 
-from wraparc.drive import DESIGN, Belt, Drive, Pulley
+from wraparc.drive import DESIGN, Belt, Drive, Pulley, ReadFrom
 from wraparc.errors import InputError, Problem, placed
 from wraparc.files.conditions import asking, build_conditions, in_each_condition
 from wraparc.files.drive_build import (
@@ -186,6 +186,7 @@ def train_from_document(
             cases=in_each_condition(cases, conditions),
             criteria=criteria,
             nominal_diameters=reader.nominal if reader.actual != tuple(reader.pulleys) else (),
+            read_from=ReadFrom(document, folder, allow_paths),
             **parts,
         )
     except InputError as error:

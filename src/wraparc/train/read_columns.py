@@ -166,6 +166,10 @@ class _Reader:
         self._say("wear", wear > thickness, "must be at most what the lagging is thick", wear)
         drums["lagging_thickness"] = np.maximum(thickness - wear, 0.0)
         drums["diameter"] = drums["diameter"] - 2.0 * wear
+        for i, pulley in enumerate(self.train.pulleys):
+            if (i, "compression_modulus") not in self.columns:  # it follows the thickness
+                left = drums["lagging_thickness"][:, i]
+                drums["compression_modulus"][:, i] = pulley.lagging.compression_modulus_at(left)
         whole = self._whole(drums["run"][:, 1:].sum(axis=1))
         rows = TrainRows(
             train=self.train,

@@ -80,7 +80,10 @@ class Reader:
             built.append(
                 case
                 and replace(
-                    case, kind=table.get("kind", "running"), condition=condition_name(table)
+                    case,
+                    kind=table.get("kind", "running"),
+                    condition=condition_name(table),
+                    description=table.get("description", ""),
                 )
             )
         return [case for case in built if case is not None]

@@ -300,6 +300,7 @@ class TrainResult(Viewable):
                 name=result.case.name,
                 kind=result.case.kind,
                 condition=result.case.condition,
+                description=result.case.description,
                 tensions={
                     m.name: Tensions(entry=m.arc.entry_tension, exit=m.arc.exit_tension)
                     for m in result.members

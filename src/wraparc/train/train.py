@@ -20,6 +20,7 @@ from wraparc.drive import (
     Limit,
     LoadCase,
     Pulley,
+    ReadFrom,
     Tensions,
     condition_problems,
     laggings_of,
@@ -112,7 +113,7 @@ class TrainCase:
     runs
         Rise of tension over the run from each pulley to the next, negative where it falls [N]; 0
         where drives stand together. Empty for none.
-    kind, condition
+    kind, condition, description
         As in `LoadCase`.
     """
 
@@ -128,6 +129,7 @@ class TrainCase:
     runs: tuple[float, ...] = ()
     kind: CaseKind = "running"
     condition: str = ""
+    description: str = ""
 
     def __post_init__(self) -> None:
         raise_all(name_problems("name", self.name) + limit_problems(self, self.LIMITS))
@@ -173,6 +175,8 @@ class Train:
         Largest creep accepted at the exit of a pulley [m].
     criteria
         What the train is held against, as in `Drive`.
+    read_from
+        As in `Drive`.
 
     Raises
     ------
@@ -190,6 +194,7 @@ class Train:
     nominal_diameters: tuple[float, ...] = ()
     creep_limit: float = CREEP_LIMIT
     criteria: Criteria = field(default_factory=Criteria)
+    read_from: ReadFrom | None = field(default=None, compare=False, repr=False)
 
     def __post_init__(self) -> None:
         problems = limit_problems(self, self.LIMITS)
@@ -233,6 +238,7 @@ class Train:
             cases=tuple(_case_of(drive, case) for case in drive.load_cases),
             creep_limit=drive.creep_limit,
             criteria=drive.criteria,
+            read_from=drive.read_from,
         )
 
     @property
@@ -284,6 +290,7 @@ def _case_of(drive: Drive, case: LoadCase) -> TrainCase:
         runs=runs if any(runs) else (),
         kind=case.kind,
         condition=case.condition,
+        description=case.description,
     )
 
 

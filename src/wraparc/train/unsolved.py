@@ -29,7 +29,13 @@ def load_case(train: Train, case: TrainCase, pairs: Sequence[tuple[float, float]
     """Return a load case of a train with the tensions of its pulleys."""
     names = [p.name for p in train.pulleys]
     tensions = {n: Tensions(entry=a, exit=b) for n, (a, b) in zip(names, pairs, strict=True)}
-    return LoadCase(name=case.name, kind=case.kind, condition=case.condition, tensions=tensions)
+    return LoadCase(
+        name=case.name,
+        kind=case.kind,
+        condition=case.condition,
+        description=case.description,
+        tensions=tensions,
+    )
 
 
 def given_pairs(case: TrainCase) -> Sequence[tuple[float, float]]:

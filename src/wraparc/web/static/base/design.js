@@ -70,16 +70,6 @@ export function change(doc, key = "") {
   inRange();
   redraw();
 }
-/** Another lagging on a pulley: a condition of the one before means nothing for it.
- * @param {number} i @param {string} name @param {Design} [doc] that has it */
-export const putLagging = (i, name, doc = app.doc) =>
-  change(
-    set(
-      set(doc, ["pulley", i, "lagging"], name || undefined),
-      ["pulley", i, "condition"],
-      undefined,
-    ),
-  );
 /** A hand that holds a slider or a handle: all that it moves is one step of the history. */
 const grip = { from: /** @type {Design | null} */ (null) };
 export const gripped = () => grip.from !== null;

@@ -16,12 +16,28 @@ function renamed(of, [key, ...rest], from = "", to = "") {
   const value = rest.length ? renamed(of[key], rest, from, to) : keyed(of[key], from, to);
   return { ...of, [key]: value };
 }
+/** A table in which masters of followers and pulleys of what happens have another name.
+ * @param {any} of @param {string} from @param {string} to @returns {any} */
+function referring(of, from, to) {
+  if (Array.isArray(of)) return of.map((v) => referring(v, from, to));
+  if (!of || typeof of !== "object") return of;
+  const known = (/** @type {string} */ k, /** @type {any} */ v) =>
+    ["master", "pulley"].includes(k) && v === from ? to : referring(v, from, to);
+  return Object.fromEntries(Object.entries(of).map(([k, v]) => [k, known(k, v)]));
+}
 /** @param {number} i @param {string} name */
 export function renamePulley(i, name) {
   const from = app.doc.pulley[i].name;
   let doc = set(app.doc, ["pulley", i, "name"], name);
   if (from) {
-    doc = renamed(doc, ["train", "run"], from, name);
+    for (const at of [
+      ["train", "run"],
+      ["train", "motor"],
+      ["motion", "drum"],
+    ])
+      doc = renamed(doc, at, from, name);
+    for (const key of ["train", "motion"])
+      if (doc[key]) doc = { ...doc, [key]: referring(doc[key], from, name) };
     if (doc.take_up?.after === from) doc = set(doc, ["take_up", "after"], name);
     const cases = doc.load_case?.map((c) =>
       renamed(renamed(c, ["pulley"], from, name), ["train", "run"], from, name),
@@ -33,8 +49,9 @@ export function renamePulley(i, name) {
 /** @param {number} i @param {string} name */
 export function renameCase(i, name) {
   const doc = set(app.doc, ["load_case", i, "name"], name);
-  if (app.case === app.doc.load_case?.[i]?.name) app.case = name;
-  change(doc);
+  const from = app.doc.load_case?.[i]?.name;
+  if (app.case === from) app.case = name;
+  change(doc.motion?.load_case === from ? set(doc, ["motion", "load_case"], name) : doc);
 }
 /**
  * What speaks against a name, in a sentence.

@@ -20,7 +20,8 @@ async function copyLink() {
 /** Copy the link, or show it where the browser does not allow that. */
 export async function copied() {
   const left = await copyLink();
-  if (!left) return note("The link is on the clipboard; it holds the whole design.");
+  const without = app.source?.toml.includes("#") ? ", without the comments of its file" : "";
+  if (!left) return note(`The link is on the clipboard; it holds the whole design${without}.`);
   const mark = (/** @type {any} */ e) => e.currentTarget.select();
   const box = {
     type: "text",

@@ -1,7 +1,8 @@
 // Opening a file: what a TOML file is, and where it belongs. Fetched when the first is opened.
 import { turnTo } from "../base/address.js";
-import { app, isDrive, putLagging, redraw, set } from "../base/design.js";
+import { app, isDrive, redraw, set } from "../base/design.js";
 import { open } from "../base/drafts.js";
+import { noteUndo, putLagging } from "../base/removed.js";
 import { Advice, ask, note, part } from "../base/server.js";
 
 const MOST = 2e6;
@@ -45,8 +46,9 @@ const OPEN = {
   },
   async lagging(_, __, text) {
     const { name, lagging } = await ask("lagging/read", { toml: text });
+    const before = app.doc.lagging?.[name] ? ` It replaces the lagging ${name} of the design.` : "";
     putLagging(app.pulley, name, set(app.doc, ["lagging", name], lagging));
-    note(`The lagging ${name} is on the pulley now.`);
+    noteUndo(`The lagging ${name} is on the pulley now.${before} `);
   },
   async study(doc, name) {
     const { openStudy } = await part(() => import("../pages/study.js"));

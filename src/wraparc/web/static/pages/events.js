@@ -8,8 +8,8 @@ import { choose } from "../parts/choose.js";
 import { checked, framed, marked, notComputed, renewed, saying, silent } from "../parts/framed.js";
 import { mark } from "../parts/problems.js";
 import { h } from "../vendor/preact.js";
-import { assumed, events, motionInputs } from "./events/inputs.js";
 import { answer, known } from "./drive/solving.js";
+import { assumed, events, motionInputs } from "./events/inputs.js";
 import { Player } from "./events/player.js";
 import { steady } from "./events/steady.js";
 

@@ -72,7 +72,8 @@ async function saved(d, name) {
     /* as above */
   }
   look({ design });
-  note(`Saved as version ${d.version} of “${name}”.`);
+  const without = app.source?.toml.includes("#") ? " The comments of its file are not saved." : "";
+  note(`Saved as version ${d.version} of “${name}”.${without}`);
   await load();
 }
 const body = () => ({ document: app.doc, note: state.note.trim(), who: state.who.trim() });

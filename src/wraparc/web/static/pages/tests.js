@@ -1,6 +1,7 @@
 // Shear tests: machine files to a lagging file.
 import { turnTo } from "../base/address.js";
-import { app, putLagging, redraw, set } from "../base/design.js";
+import { app, redraw, set } from "../base/design.js";
+import { putLagging } from "../base/removed.js";
 import { act, note, refusal, save, sentence } from "../base/server.js";
 import { words } from "../base/units.js";
 import { list, refused, standing, stands, table } from "../parts/answers.js";

@@ -50,7 +50,7 @@ export function update() {
   if (state.of === doc || gripped()) return;
   state.of = doc;
   if (several()) solve(app.doc);
-  else Object.assign(state, { answer: null, matched: {}, problems: [] });
+  else Object.assign(state, { answer: null, doc: null, matched: {}, problems: [] });
 }
 onReturn(() => {
   state.of = null;

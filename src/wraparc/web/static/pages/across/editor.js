@@ -1,5 +1,6 @@
 // A profile drawn by hand: points dragged or moved by keys, and the same numbers in a table.
 import { grasp, gripped, wrong } from "../../base/design.js";
+import { noteUndo } from "../../base/removed.js";
 import { si, trim, unit } from "../../base/units.js";
 import { field, shownFields } from "../../parts/field.js";
 import { roundStep, ticks } from "../../plots/svg.js";
@@ -155,6 +156,7 @@ export class Editor extends Component {
   remove(k) {
     const rows = this.rows.filter((_, j) => j !== k);
     this.put(rows.length > 1 ? rows : []);
+    if (rows.length === 1) noteUndo("A profile has two points or none: both are removed. ");
   }
   /** @param {number} k @param {KeyboardEvent} e */
   key(k, e) {

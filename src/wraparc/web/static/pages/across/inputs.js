@@ -1,12 +1,22 @@
 // What is uneven across the width: crown, profiles drawn or measured, skew, spans, stiffness.
-import { app, redraw } from "../../base/design.js";
+import { app, redraw, set } from "../../base/design.js";
+import { changeNaming, noteUndo } from "../../base/removed.js";
 import { act, ask, note } from "../../base/server.js";
 import { si, words } from "../../base/units.js";
 import { choose, valueIn } from "../../parts/choose.js";
 import { field, spec } from "../../parts/field.js";
 import { h } from "../../vendor/preact.js";
 import { Editor } from "./editor.js";
-import { acrossOf, KINDS, putAcross, SHAPES, shaped, withCrown, withRows } from "./profile.js";
+import {
+  acrossOf,
+  KINDS,
+  putAcross,
+  rowsOf,
+  SHAPES,
+  shaped,
+  withCrown,
+  withRows,
+} from "./profile.js";
 
 /** @import { Children, Spec } from "../../types.d.ts" */
 /** @import { Kind } from "./profile.js" */
@@ -106,7 +116,9 @@ function shapes(i, kind) {
     if (!Number.isFinite(height))
       return note(`Give a height with its unit, such as ${usual()}.`, true);
     const rows = shaped(name, height, kind.dimension);
+    const before = rowsOf(acrossOf(i)[kind.key]).length > 0;
     putAcross(i, kind.key, withRows(acrossOf(i)[kind.key], rows));
+    if (before) noteUndo("The shape replaces the profile before. ");
   };
   return h(
     "div",
@@ -147,7 +159,7 @@ function measured(i) {
     const answer = await ask("across/profile", data);
     drawn.key = answer.key;
     putAcross(i, answer.key, answer.profile);
-    note(answer.told.map(words).join(" "));
+    noteUndo(answer.told.map(words).join(" "), " ");
   });
   const open = () => document.getElementById("profile-file")?.click();
   const units = /** @type {[string, string][]} */ ([
@@ -264,7 +276,10 @@ function end(i, key, title, ends) {
   const kind = now && typeof now === "object" ? now.kind : "far";
   const put = (/** @type {string} */ to) => {
     const angle = to === "transition" ? { trough_angle: "35 deg" } : {};
-    putAcross(i, key, to === "far" ? undefined : { kind: to, ...angle });
+    const next = { ...acrossOf(i), [key]: to === "far" ? undefined : { kind: to, ...angle } };
+    if (to === "far") delete next[key];
+    const left = Object.keys(next).length ? next : undefined;
+    changeNaming(set(app.doc, ["pulley", i, "across"], left), ["kind"]);
   };
   const fields = kind === "transition" ? "transition" : kind === "pulley" ? "gripping" : "";
   /** @type {Record<string, string[]>} */

@@ -1,6 +1,6 @@
 // What a check advises with a number, to be applied with one press.
-import { app, caseNames, change, set, undo } from "../../base/design.js";
-import { note, told } from "../../base/server.js";
+import { app, caseNames, change, set } from "../../base/design.js";
+import { noteUndo } from "../../base/removed.js";
 import { trim, unit, written } from "../../base/units.js";
 import { TENSIONS } from "../../parts/problems.js";
 import { h } from "../../vendor/preact.js";
@@ -84,15 +84,10 @@ export function raise(tension, only) {
   const several = caseNames(app.doc).length > 1;
   const apply = () => {
     change(train ? raisedTrain(app.doc, least) : raised(app.doc, 0, least, only));
-    const back = () => {
-      undo();
-      told.text = "";
-    };
-    note([
+    noteUndo(
       `${side[0].toUpperCase()}${side.slice(1)} is at least ${shown} now ${where}; `,
       "the pull is as it was. ",
-      h("button", { type: "button", onClick: back }, "Undo"),
-    ]);
+    );
   };
   const of = only === undefined && several ? " in every load case" : "";
   return h(

@@ -1,6 +1,7 @@
 // The condition that the shown load case is solved in: where the file says it, and another.
 
-import { app, besides, caseNames, change, get, look, set } from "../../base/design.js";
+import { app, besides, caseNames, get, look, set } from "../../base/design.js";
+import { changeNaming } from "../../base/removed.js";
 import { choose } from "../../parts/choose.js";
 import { h } from "../../vendor/preact.js";
 import { answer } from "./solving.js";
@@ -45,12 +46,12 @@ function known(of) {
 /** Take a document in and look at a load case of it. @param {Design} doc @param {string} name */
 export function go(doc, name) {
   app.case = caseNames(doc).includes(name) ? name : "";
-  change(doc);
+  changeNaming(doc, ["name"]);
 }
 /** @param {number} i @param {string} name */
 function put(i, name) {
   const { at, all, base } = held(i);
-  if (!all.length) return change(set(app.doc, at, name));
+  if (!all.length) return changeNaming(set(app.doc, at, name), ["name"]);
   const shown = `${base}, ${name}`;
   if (all.some((c) => called(c) === name)) look({ case: shown });
   else go(set(app.doc, at, [...all, name]), shown);

@@ -1,12 +1,15 @@
 // The conveyor in the place of tensions: its resistances give the pull of every load case.
 
-import { app, change, set } from "../../base/design.js";
+import { app, set } from "../../base/design.js";
+import { changeNaming } from "../../base/removed.js";
 import { written } from "../../base/units.js";
 import { field, more, parted, section } from "../../parts/field.js";
 import { h } from "../../vendor/preact.js";
+import { conveyorCases } from "../train/convert.js";
 import { without } from "./load.js";
+import { known } from "./solving.js";
 
-/** @import { Children } from "../../types.d.ts" */
+/** @import { Children, Design } from "../../types.d.ts" */
 /** @import { Now } from "./inputs.js" */
 
 /** Fields that are seen at once; the others are folded away. */
@@ -26,9 +29,17 @@ const FIRST = [
 /** Put a conveyor in the place of the tensions. */
 export function describe() {
   const { load_case: _, ...rest } = app.doc;
-  change({ ...rest, conveyor: { lift: "0 m" }, pulley: [without(app.doc.pulley[0])] });
+  changeNaming({ ...rest, conveyor: { lift: "0 m" }, pulley: [without(app.doc.pulley[0])] });
   document.getElementById("more")?.setAttribute("open", "");
   requestAnimationFrame(() => document.getElementById("f-conveyor-length")?.focus());
+}
+/** A drive with the tensions of the load case shown, where no others are known.
+ * @param {any} doc @param {ReturnType<Now>} numbers @returns {Design} */
+function withShown(doc, numbers) {
+  let next = doc;
+  for (const key of ["entry_tension", "exit_tension"])
+    if (numbers) next = set(next, ["pulley", 0, key], written(numbers[key], "force", 5));
+  return next;
 }
 /** @param {Now} now @returns {Children[]} */
 export function conveyor(now) {
@@ -52,11 +63,10 @@ function given(now) {
   };
   const remove = () => {
     const { conveyor: _, ...rest } = app.doc;
-    const numbers = now();
-    let doc = /** @type {typeof app.doc} */ (rest);
-    for (const key of ["entry_tension", "exit_tension"])
-      if (numbers) doc = set(doc, ["pulley", 0, key], written(numbers[key], "force", 5));
-    change(doc);
+    const { name = "" } = rest.pulley[0];
+    const cases = conveyorCases(app.doc, known()?.arcs ?? []);
+    const load_case = cases.map(([of, ends]) => ({ ...of, pulley: { [name]: ends } }));
+    changeNaming(load_case.length ? { ...rest, load_case } : withShown(rest, now()));
     requestAnimationFrame(() => document.getElementById("describe-conveyor")?.focus());
   };
   return [

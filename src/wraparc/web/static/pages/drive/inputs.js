@@ -1,6 +1,7 @@
 // The inputs of a drive: load first, then pulley, lagging, belt, load cases, the drive as a whole.
 
-import { app, blank, change, get, painted, putLagging, redraw, set } from "../../base/design.js";
+import { app, blank, change, get, painted, redraw, set } from "../../base/design.js";
+import { putLagging } from "../../base/removed.js";
 import { part } from "../../base/server.js";
 import { viewed, words } from "../../base/units.js";
 import { field, idOf, spec } from "../../parts/field.js";

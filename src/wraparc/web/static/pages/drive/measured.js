@@ -1,6 +1,7 @@
 // A measured drive: what the record of an instrumented pulley says of the friction.
-import { app, caseNames, putLagging, redraw, set } from "../../base/design.js";
-import { note, save } from "../../base/server.js";
+import { app, caseNames, redraw, set } from "../../base/design.js";
+import { noteUndo, putLagging } from "../../base/removed.js";
+import { save } from "../../base/server.js";
 import { choose } from "../../parts/choose.js";
 import { Question } from "../../parts/question.js";
 import { h } from "../../vendor/preact.js";
@@ -45,7 +46,7 @@ async function take(e) {
 function use(lagging) {
   const { name, ...table } = lagging;
   putLagging(app.pulley, name, set(app.doc, ["lagging", name], table));
-  note(`${name} is in the drive now; Undo takes it out again.`);
+  noteUndo(`${name} is in the drive now. `);
 }
 /** @param {any} found */
 function more({ picture, lagging, file }) {

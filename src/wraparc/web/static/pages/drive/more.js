@@ -2,6 +2,7 @@
 // what the drive is held against. Fetched behind the first page.
 import { app, besides, change, edit, get, look, set } from "../../base/design.js";
 import { nameCheck, renameCase, renamePulley } from "../../base/names.js";
+import { changeNaming } from "../../base/removed.js";
 import { words } from "../../base/units.js";
 import { choose } from "../../parts/choose.js";
 import { field, idOf, more, parted, section, spec } from "../../parts/field.js";
@@ -35,7 +36,7 @@ function load(i, now) {
     of && by(i, of),
     train && h("p", { class: "help", key: "train" }, "The train gives the tensions."),
     k >= 0 && taken(i, k, of?.keys ?? []),
-    ...(k < 0 ? conveyor(now) : []),
+    ...conveyor(now),
   ];
   return group(name ? `Load: ${name}` : "Load", rows, "Load");
 }
@@ -159,7 +160,8 @@ function inCase(k) {
   const { load_case = [], train } = app.doc;
   const others = ["design", ...load_case.filter((_, j) => j !== k).map((c) => c.name)];
   const remove = () => {
-    edit(["load_case"], load_case.length > 1 ? load_case.filter((_, j) => j !== k) : undefined);
+    const left = load_case.length > 1 ? load_case.filter((_, j) => j !== k) : undefined;
+    changeNaming(set(app.doc, ["load_case"], left));
     document.getElementById("add-case")?.focus();
   };
   return [
@@ -240,7 +242,7 @@ export const moreInputs = (i, now) => after(() => all(i, now));
 /** @param {number} i @param {Now} now */
 function all(i, now) {
   const name = app.doc.pulley[i].name || String(i + 1);
-  const [drive] = parted(section("drive"), ["title", "description", "creep_limit"]);
+  const [drive] = parted(section("drive"), ["title", "description", "creep_limit", "covered"]);
   return [
     load(i, now),
     group(`Pulley ${name}`, pulley(i), "pulley"),

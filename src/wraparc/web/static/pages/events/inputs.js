@@ -1,5 +1,6 @@
 // The inputs of drives in time: what moves, how each drum is driven, what happens.
-import { app, edit, get } from "../../base/design.js";
+import { app, get, set } from "../../base/design.js";
+import { changeNaming } from "../../base/removed.js";
 import { field, more, section } from "../../parts/field.js";
 import { h } from "../../vendor/preact.js";
 
@@ -69,7 +70,7 @@ function control(name, at) {
   const others = app.doc.pulley.map((p) => p.name || "").filter((n) => n !== name);
   const put = (/** @type {string | undefined} */ k) => {
     const more = k === "follower" && others.length > 0 ? { master: others[0] } : {};
-    edit(at, k ? { kind: k, ...more } : undefined);
+    changeNaming(set(app.doc, at, k ? { kind: k, ...more } : undefined), ["kind"]);
   };
   const choices = [["", "droop of 1 %"], ...kinds.map((k) => [k, WORDS[k] || k])];
   const given = { title: "Driven by", key: "kind", kind: "choice", help: "How it is driven." };

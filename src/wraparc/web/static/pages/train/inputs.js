@@ -1,63 +1,24 @@
 // The inputs of a train: what is given of it, and its drives one behind the other.
-import { app, change, edit, putLagging } from "../../base/design.js";
+import { app } from "../../base/design.js";
+import { changeNaming, putLagging } from "../../base/removed.js";
 import { field, spec } from "../../parts/field.js";
 import { h } from "../../vendor/preact.js";
 import { laggingChoices, laggingName } from "../drive/inputs.js";
 import { pulleyName } from "../drive/more.js";
+import { known } from "../drive/solving.js";
+import { LOADS, movedKeys, shares, withDrive, withoutDrive } from "./convert.js";
 
-/** @import { Design, Path, Pulley, Spec } from "../../types.d.ts" */
+/** @import { Path, Pulley, Spec } from "../../types.d.ts" */
 
-const LOADS = ["entry_tension", "exit_tension", "effective_tension", "power"];
-const TENSIONS = [...LOADS, "torque"];
-const ORDINALS = ["second", "third", "fourth", "fifth"];
-/** @param {any} table @param {string[]} keys */
-const only = (table, keys) =>
-  Object.fromEntries(keys.filter((k) => table?.[k] !== undefined).map((k) => [k, table[k]]));
 /** @param {any} table @param {string[]} keys */
 const without = (table, keys) =>
   Object.fromEntries(Object.entries(table).filter(([k]) => !keys.includes(k)));
-/** Equal shares that add up to the whole. @param {number} n */
-function shares(n) {
-  const each = Math.floor(10000 / n) / 100;
-  return Array.from({ length: n }, (_, i) => `${i ? each : +(100 - each * (n - 1)).toFixed(2)} %`);
-}
 
-export function addPulley() {
-  const { doc } = app;
-  const last = doc.pulley[doc.pulley.length - 1];
-  const names = doc.pulley.map((p) => p.name);
-  const name = ORDINALS.find((x) => !names.includes(x)) || `drive ${names.length + 1}`;
-  const bare = /** @type {Pulley[]} */ (doc.pulley.map((p) => without(p, TENSIONS)));
-  const pulley = [...bare, { ...without(last, TENSIONS), name }];
-  /** @type {any} */
-  const given = doc.train || Object.fromEntries(Object.entries(only(last, LOADS)).slice(0, 2));
-  const train = { ...given };
-  if (given.share) train.share = [...given.share, "0 %"];
-  else if (Array.isArray(given.speeds)) train.speeds = [...given.speeds, "100 %"];
-  else if (!given.speeds) train.share = shares(pulley.length);
-  // cases of a single pulley say nothing of a train
-  const kept = doc.train ? doc : without(doc, ["load_case"]);
-  change(/** @type {Design} */ ({ ...kept, pulley, train }));
-}
+export const addPulley = () =>
+  changeNaming(withDrive(app.doc, known()?.arcs ?? []), movedKeys(app.doc));
 /** @param {number} i */
 function removePulley(i) {
-  const { doc } = app;
-  const pulley = doc.pulley.filter((_, k) => k !== i);
-  const train = doc.train || {};
-  if (pulley.length === 1) {
-    const single = { ...pulley[0], ...only(train, LOADS) };
-    change(/** @type {Design} */ ({ ...without(doc, ["train", "load_case"]), pulley: [single] }));
-  } else {
-    const rest = Object.fromEntries(
-      ["share", "speeds"]
-        .filter((key) => Array.isArray(train[key]))
-        .map((key) => [
-          key,
-          train[key].filter((/** @type {any} */ _, /** @type {number} */ k) => k !== i),
-        ]),
-    );
-    change({ ...doc, pulley, ...(doc.train && { train: { ...train, ...rest } }) });
-  }
+  changeNaming(withoutDrive(app.doc, i), movedKeys(app.doc));
   document.getElementById("add-pulley")?.focus();
 }
 /** @param {any} t */
@@ -80,8 +41,9 @@ function putMode(mode, answer) {
     return trim ? `${(100 * trim).toFixed(3)} %` : "100 %";
   });
   const n = app.doc.pulley.length;
-  if (mode === "share") edit(["train"], { ...rest, share: shares(n) });
-  else edit(["train"], { ...rest, speeds: mode === "equal" ? "equal" : speeds });
+  const division =
+    mode === "share" ? { share: shares(n) } : { speeds: mode === "equal" ? "equal" : speeds };
+  changeNaming({ ...app.doc, train: { ...rest, ...division } }, ["share", "speeds"]);
 }
 
 /** @param {Spec} s @param {Path} path @param {any} [more] */
