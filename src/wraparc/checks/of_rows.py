@@ -37,6 +37,7 @@ from wraparc.checks.sliding import CREEP, NOT_CARRIED, TESTED
 from wraparc.checks.sliding_rows import LoadedRows, pulls_at_sliding, wet_creeps
 from wraparc.checks.usual import USUAL_RULE, least_margin, sizes_of
 from wraparc.drive import Drive
+from wraparc.drive.belt_mass import masses_at
 from wraparc.drive.changes import WORN
 from wraparc.drive.conditions import SCALED
 
@@ -315,6 +316,7 @@ def _sizes(every: Sequence[At], which: Integers, arcs: Arcs, *, alone: bool) -> 
         entry=arcs.entry_tension,
         leaving=arcs.exit_tension,
         pull=pull if alone else none,
+        mass=masses_at([at.drive.belt for at in every], which, arcs.belt_width),
     )
 
 

@@ -9,11 +9,11 @@ from wraparc.choose.cost import Costing, Price, catalogue_price
 from wraparc.choose.keys import BELT_COST, CHOOSE, COST, LAGGING_COST, LIMITS
 from wraparc.choose.search import Limits, Search
 from wraparc.drive import Belt, Cost, Drive, Lagging
-from wraparc.drive.changes import belt_of
+from wraparc.drive.changes import with_belt
 from wraparc.drive.conditions import DRY, Condition
 from wraparc.errors import InputError, Problem, nearest, shown
 from wraparc.files.conditions import condition_of
-from wraparc.files.drive_keys import SAG
+from wraparc.files.drive_build import build_sag
 from wraparc.files.lagging_file import is_path, load_lagging
 from wraparc.provenance import Provenance
 from wraparc.schema.origins import own_provenance
@@ -128,7 +128,7 @@ def _belts(candidates: Record, drive: Drive, report: Report) -> tuple[Belt, ...]
         place = ("candidates", "belts", position)
         row = report.tried(lambda name=name: catalogue.belt(name), place)  # type: ignore[misc]
         if row is not None:
-            found.append(belt_of(row, drive.belt))
+            found.append(with_belt(drive, row).belt)
     return _unlike(found, ("candidates", "belts"), report)
 
 
@@ -148,7 +148,7 @@ def _limits(record: Any, drive: Drive, report: Report) -> Limits:
     share = record.get("rating_share", {})
     check_cases(((name, (*record.place, "rating_share", name)) for name in share), drive, report)
     rating = share if record.get("belt_rating", True) else None
-    sag = SAG.built(record.get("sag"), report)
+    sag = build_sag(record.get("sag"), drive.belt.mass, report)
     return LIMITS.built(record, report, rating=rating, sag=sag) or Limits()
 
 
