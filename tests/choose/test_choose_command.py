@@ -81,7 +81,11 @@ def test_the_picture(file: Path, tmp_path: Path) -> None:
         ('candidates.laggings=["diamond-ruber"]', 'Did you mean "diamond-rubber"?'),
         ('candidates.belts=["ST9999"]', "the catalogue has no belt of this name"),
         ("limits.rating_share={stat=1.4}", "the drive has no such load case"),
-        ("cost.currency=EUR", "priced in another currency than EUR"),
+        (
+            "cost.currency=EUR",
+            'cost.currency = "EUR": diamond-rubber, full-ceramic: priced in AUD, and none is '
+            'converted. Write currency = "AUD", or give material',
+        ),
         ("cost.lagging={rubber={material=5}}", "no lagging among the candidates"),
         ("cost.lagging.full-ceramic={material=5}", "the cost is not complete"),
         ("cost.hours={}", "a tariff, and no load case with hours"),
