@@ -55,7 +55,7 @@ LIMITS = Table(
         title="Share of the rating",
     ),
     Entry("least_pulley_diameter", "Kept if left out.", Flag()),
-    Entry("sag", "Not looked at if left out.", SAG, title="Belt sag"),
+    Entry("sag", "That of the drive if left out.", SAG, title="Belt sag"),
     of=Limits,
 )
 
