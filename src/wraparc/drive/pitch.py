@@ -94,8 +94,8 @@ def sheared_thickness(cover: float, diameter: float, pitch: float) -> float:
         p F(r) [1 - 0.44 exp(-4 pi t/p)],
         F(r) = ln[1 + (1/pi + 0.65 r^2/(1 + 3.75 r^2))/r]/(2 pi).
 
-    F is exact for thin cords; within 0.3 % of the solution of the equation for covers of 0.1 pitches
-    or more and cords of 0.1 to 0.9 pitches (``tests/drive/test_cords.py`` solves it).
+    F is exact for thin cords; within 0.3 % of a solution of the equation for covers of 0.1
+    pitches or more and cords of 0.1 to 0.9 pitches (``tests/drive/test_cords.py`` solves it).
 
     Parameters
     ----------
