@@ -145,7 +145,8 @@ def test_many_laws_are_cut_with_their_chunk() -> None:
 def test_breakaway_has_a_status_and_its_capacities() -> None:
     table = designs(50, 15)
     table["exit_tension"] = table["entry_tension"] / 600.0
-    batch = solve_batch(table, SHIPPED[0])
+    with pytest.warns(UserWarning, match="exit_tension: "):
+        batch = solve_batch(table, SHIPPED[0])
     assert batch.breakaway.all()
     assert not batch.solved.any()
     assert STATUSES[1] == Status.BREAKAWAY.value

@@ -78,7 +78,8 @@ def _find(result: Whole) -> Action | None:
         return Action(sentence_of(phrases), ways)
     if RAISE not in kinds_of(worst):
         return own_action(worst)
-    return Action(none_text(percent_too_large(task, evaluate, worst.name, found.tried)))
+    percent = percent_too_large(task, evaluate, worst.name, found.tried)
+    return Action(none_text(percent, task))
 
 
 def own_action(check: Check) -> Action | None:

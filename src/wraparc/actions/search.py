@@ -28,6 +28,7 @@ from wraparc.actions.variant import (
     rung_above,
     rung_below,
 )
+from wraparc.checks.check import Level
 
 Evaluate = Callable[[list[Variant]], list[Outcome]]
 #: Checks that data are missing for: no change of the drive answers them, and none is held to them.
@@ -35,6 +36,8 @@ DATA_CHECKS = (
     "condition", "fit", "usual_sizes", "belt_thickness", "tested_slip_speed", "case_kind",
     "profile_extent", "reserve", "data", "sense",
 )  # fmt: skip
+#: Rank of a check that fails.
+FAILS = Level.FAILS.rank
 #: Largest wrap that is offered [deg].
 MOST_WRAP = 240
 #: Most changes that are made together.
@@ -144,14 +147,19 @@ def count_left(levels: Mapping[str, int]) -> int:
 
 
 def score_of(outcome: Outcome) -> Score:
-    """Return how much an outcome leaves; what gross slip or too much creep hides counts too."""
+    """Return how much an outcome leaves.
+
+    What is not checked because of gross slip, or of a creep that is too large dry, counts too.
+    """
     names = [name for name in outcome.levels if name not in DATA_CHECKS]
     ranks = [outcome.levels[name] for name in names]
-    slips = "operating_point" in names or "gross_slip" in names
-    hidden = slips and "creep" not in names and "creep" not in outcome.passed
-    dry = ("creep" in names or hidden) and "wet_creep" not in outcome.passed
-    wet = dry and "wet_creep" not in names
-    return Score(len(names) + hidden + wet, max(ranks, default=0))
+    slips = "operating_point" in names or outcome.levels.get("gross_slip", 0) >= FAILS
+    count = len(names)
+    if slips and "creep" not in names:
+        count += 1
+    if (slips or "creep" in names) and "wet_creep" not in names:
+        count += 1
+    return Score(count, max(ranks, default=0))
 
 
 def is_allowed(outcome: Outcome, now: Outcome) -> bool:

@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from math import radians
 from typing import NamedTuple
 
-from wraparc.actions.search import Candidate, Task, count_left
-from wraparc.actions.variant import Variant
+from wraparc.actions.search import MOST_WRAP, Candidate, Task, count_left
+from wraparc.actions.variant import WRAP, Variant
 from wraparc.units import Cell, quantity
 from wraparc.units.cell import Form
 
@@ -117,12 +117,17 @@ def _on(names: Names) -> str:
     return f" on {listed(names.pulleys)}" if names.pulleys else ""
 
 
-def listed(parts: Sequence[str]) -> str:
-    """Return parts with commas and an and."""
-    return f"{', '.join(parts[:-1])} and {parts[-1]}" if len(parts) > 1 else parts[0]
+def listed(parts: Sequence[str], word: str = "and") -> str:
+    """Return parts with commas, and a word before the last."""
+    return f"{', '.join(parts[:-1])} {word} {parts[-1]}" if len(parts) > 1 else parts[0]
 
 
-def none_text(percent: int) -> str:
+def none_text(percent: int, task: Task) -> str:
     """Return what is said where no change betters the verdict, Te so many percent too large."""
-    text = "No T2, wrap to 240 deg or catalogue lagging passes"
+    tried = ["T2"]
+    if WRAP in task.kinds and task.wrap < MOST_WRAP:
+        tried.append(f"wrap to {MOST_WRAP} deg")
+    if task.laggings:
+        tried.append("catalogue lagging")
+    text = f"No {listed(tried, 'or')} passes"
     return f"{text}: Te is {percent} % too large." if percent > 0 else f"{text}."

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import Protocol
 from weakref import WeakKeyDictionary
 
 from wraparc.arc.gross_slip import Line, outweighs, residual_capacity
@@ -19,11 +19,27 @@ from wraparc.arc.sliding import (
 )
 from wraparc.arc.wrap_arc import WrapArc
 
-if TYPE_CHECKING:
-    from wraparc.arc.result import ArcResult
+
+class _Capacities(Protocol):
+    @property
+    def gross_slip_creep(self) -> float: ...
 
 
-def loaded(result: ArcResult) -> Loaded:
+class SolvedArc(Protocol):
+    """The part of an `ArcResult` that its grip needs: that asks for its safety here."""
+
+    @property
+    def arc(self) -> WrapArc:
+        """What was solved."""
+        ...
+
+    @property
+    def capacities(self) -> _Capacities:
+        """How much it carries."""
+        ...
+
+
+def loaded(result: SolvedArc) -> Loaded:
     """Return an arc as it is asked when its belt slides."""
     return loaded_arc(result.arc, result.capacities.gross_slip_creep)
 
@@ -54,7 +70,7 @@ class Rise:
     slack: float
 
 
-def sliding(result: ArcResult, rise: Rise | None = None) -> Sliding:
+def sliding(result: SolvedArc, rise: Rise | None = None) -> Sliding:
     """Return the pull at which the belt of an arc slides over its pull, the whole growing alike.
 
     Parameters
@@ -77,7 +93,7 @@ def sliding(result: ArcResult, rise: Rise | None = None) -> Sliding:
     return known.slidings[line]
 
 
-def lift(result: ArcResult, factor: float, tight_rise: float) -> float:
+def lift(result: SolvedArc, factor: float, tight_rise: float) -> float:
     """Return by how much all tensions must rise for a safety factor against sliding [N].
 
     As `wraparc.arc.sliding.lift_for_safety`.
@@ -88,7 +104,7 @@ def lift(result: ArcResult, factor: float, tight_rise: float) -> float:
     return known.lifts[factor, tight_rise]
 
 
-def wet(result: ArcResult, factor: float) -> float:
+def wet(result: SolvedArc, factor: float) -> float:
     """Return the creep at the exit of an arc with a factor on its friction, see `wet_creep` [m]."""
     return wet_creep(loaded(result), factor)
 
@@ -103,7 +119,7 @@ class _Grip:
     lifts: dict[tuple[float, float], float]
 
 
-def _grip_of(result: ArcResult) -> _Grip:
+def _grip_of(result: SolvedArc) -> _Grip:
     """Return what is known of the grip of an arc, by whichever method it was solved."""
     of, known = loaded(result), _grips.setdefault(result.arc, {})
     if of.peaks not in known:

@@ -297,7 +297,7 @@ class ArcResult(Viewable):
 
     @cached_property
     def gross_slip_safety(self) -> float:
-        """Pull at which the belt slides over the pull, as the take-up of the drive lets it grow [-].
+        """Pull at which the belt slides over the pull, growing as the take-up lets it [-].
 
         The number of the check "Safety against gross slip": the belt slides at a creep of 63.5 mm,
         at the end of the tested slip or where all friction is used up, whichever comes first. inf

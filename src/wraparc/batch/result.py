@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, replace
-from functools import cached_property
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from wraparc.arc import Status
 from wraparc.arc.quantities import BREAKAWAY, REFUSED, SOLVED, UNSOLVED
-from wraparc.arrays import Array, Codes, Flags
+from wraparc.arrays import Array, Flags
 from wraparc.batch import row
 from wraparc.batch.arcs import Arcs
 from wraparc.batch.setting import Setting
@@ -58,6 +57,8 @@ class BatchResult(Mapping[str, Array]):
     tight_rise, slack_rise
         Growth of the tight and the slack side per growth of the pull, shape (n,) [N]; None where
         the slack side is held, as by a gravity take-up behind one pulley.
+    known
+        What was worked out once, by name.
     """
 
     arcs: Arcs
@@ -67,6 +68,7 @@ class BatchResult(Mapping[str, Array]):
     slip_factor: Array | None = None
     tight_rise: Array | None = None
     slack_rise: Array | None = None
+    known: dict[str, Any] = field(default_factory=dict, init=False)
 
     def growing(self, tight_rise: Array, slack_rise: Array) -> BatchResult:
         """Return the same arcs with tensions that grow so with the pull [N]."""
@@ -74,27 +76,17 @@ class BatchResult(Mapping[str, Array]):
             return self
         return replace(self, tight_rise=tight_rise, slack_rise=slack_rise)
 
-    @cached_property
-    def slides(self) -> tuple[Array, Codes]:
-        """Pull at which each belt slides over its pull, and what comes first, shape (n,) each.
-
-        See `wraparc.batch.sliding.slides_of`.
-        """
-        from wraparc.batch.sliding import slides_of  # takes this
-
-        return slides_of(self)
-
     def __getitem__(self, name: str) -> Array:
         if name in RENAMED:
             raise KeyError(RENAMED[name])
-        column: Array = _COLUMNS[name](self)
+        column: Array = COLUMNS[name](self)
         return column
 
     def __iter__(self) -> Iterator[str]:
-        return iter(_COLUMNS)
+        return iter(COLUMNS)
 
     def __len__(self) -> int:
-        return len(_COLUMNS)
+        return len(COLUMNS)
 
     def __repr__(self) -> str:
         counts = np.bincount(self.found[:, row.OUTCOME].astype(int), minlength=len(STATUSES))
@@ -230,7 +222,7 @@ def _resultant(arcs: Arcs) -> tuple[Array, Array]:
     return leaving * np.sin(wrap), arcs.entry_tension - leaving * np.cos(wrap)
 
 
-_COLUMNS: dict[str, Callable[[BatchResult], Any]] = {
+COLUMNS: dict[str, Callable[[BatchResult], Any]] = {
     "status": lambda r: r.found[:, row.OUTCOME].astype(np.int8),
     "entry_tension": lambda r: r.arcs.entry_tension,
     "exit_tension": lambda r: r.arcs.exit_tension,
@@ -260,7 +252,6 @@ _COLUMNS: dict[str, Callable[[BatchResult], Any]] = {
     "tested_slip_capacity": _ratio(row.SLIP_CAPACITY),
     "tested_slip_margin": _margin(row.SLIP_CAPACITY),
     "gross_slip_capacity": _ratio(row.GROSS_CAPACITY),
-    "gross_slip_safety": lambda r: r.slides[0],
     "extrapolated_gross_slip_margin": _margin(row.GROSS_CAPACITY),
     "gross_slip_creep": _place(row.GROSS_CREEP),
     "drum_torque": lambda r: 0.5 * r.arcs.diameter * _pull(r.arcs),

@@ -12,8 +12,11 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from wraparc.arrays import Array, Integers
-from wraparc.batch import BatchResult, Setting, row, solve_arcs
+from wraparc.batch import row
 from wraparc.batch.arcs import Arcs
+from wraparc.batch.result import BatchResult
+from wraparc.batch.setting import Setting
+from wraparc.batch.solve import solve_arcs
 
 #: numbers that a kernel reads and that change: (power of f, power of s)
 GIVEN_POWERS = {

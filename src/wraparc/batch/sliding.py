@@ -29,7 +29,7 @@ from wraparc.arrays import Array, Codes, Flags, Integers
 from wraparc.batch import row
 from wraparc.batch.arcs import Arcs, present
 from wraparc.batch.gross_slip import ratio_at_gross_slip
-from wraparc.batch.result import BatchResult
+from wraparc.batch.result import COLUMNS, BatchResult
 from wraparc.batch.rows import AtLimit, OnLine, carried_on, may_peak, solve_rows
 from wraparc.batch.scaled import Unscaled, solve_scaled
 from wraparc.batch.setting import Setting
@@ -200,6 +200,18 @@ def slides_of(solved: BatchResult) -> tuple[Array, Codes]:
     As `wraparc.arc.ArcResult.gross_slip_safety`: inf of a pulley that pulls nothing, less than 1 in
     gross slip, nan where the arc is not solved or the place is not found.
     """
+    if "slides" not in solved.known:
+        solved.known["slides"] = _slides_of(solved)
+    factor, cause = solved.known["slides"]
+    return factor, cause
+
+
+#: Asked of the arcs anew, which a column of results cannot do.
+COLUMNS["gross_slip_safety"] = lambda solved: slides_of(solved)[0]
+
+
+def _slides_of(solved: BatchResult) -> tuple[Array, Codes]:
+    """Work out `slides_of`."""
     arcs, status, n = solved.arcs, solved["status"], len(solved.arcs)
     one, entry, leaving = np.ones(n), arcs.entry_tension, arcs.exit_tension
     idle = (np.abs(entry - leaving) <= IDLE * entry) & (status == SOLVED)

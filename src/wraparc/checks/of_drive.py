@@ -11,7 +11,6 @@ from wraparc.checks.check import Check, Level, Place, escaped
 from wraparc.checks.numbers import (
     COVERS_APART,
     LEAST_SHIFT,
-    USUAL_STRENGTH,
     held_alike,
     same_shown,
     trim_shift,
@@ -20,6 +19,7 @@ from wraparc.checks.rule import At, Rule, Spot, State, Words, origin
 from wraparc.drive import Belt, Drive, LoadCase, Pulley
 from wraparc.drive.pitch import pitch_offset
 from wraparc.drive.pull import idles
+from wraparc.drive.usual_sizes import USUAL_STRENGTH
 
 #: Part by which tensions of neighbouring pulleys may differ: rounding of what was typed [-].
 MEETS = 0.02
@@ -85,7 +85,7 @@ def unknown_trim(first: str, shift: float, opposite: bool, place: Place) -> Chec
     )
 
 
-BELT_THICKNESS = Rule("belt_thickness", "a trim without the thickness of the belt")
+BELT_THICKNESS = Rule("belt_thickness", "a trim without the thickness of the belt", binding=False)
 
 
 def _tight(state: State[Number]) -> Number:

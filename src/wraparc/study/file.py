@@ -22,6 +22,7 @@ from wraparc.errors import InputError, nearest
 from wraparc.files.drive_file import overridden
 from wraparc.files.drive_keys import DRIVE, TENSIONS
 from wraparc.files.lagging_file import is_path, load_lagging
+from wraparc.glossary import RENAMED
 from wraparc.provenance import Provenance
 from wraparc.schema.origins import own_provenance
 from wraparc.schema.overrides import Overrides, load, read_document
