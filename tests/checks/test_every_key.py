@@ -54,6 +54,8 @@ pulley_cover = "3 mm"
 carry_cover = "6 mm"
 carcass = "6 mm"
 cover_shear_modulus = "1 MPa"
+cord_diameter = "6 mm"
+cord_pitch = "12 mm"
 mass = "20 kg/m"
 [[pulley]]
 name = "head"
@@ -344,7 +346,7 @@ creep = "8 mm"
 bond_stress = "1 MPa"
 creep_limit_margin = 1
 tested_slip_margin = 1
-gross_slip_margin = 1.25
+gross_slip_safety = 1.25
 rating_share.design = 1
 sag = { idler_spacing = "3 m", line_mass = "22 kg/m", share = 0.02 }
 [[condition]]
@@ -467,7 +469,8 @@ def test_keys_of_other_files_are_refused_or_stand_here_with_their_reason(table: 
 #: What is asked about at ten times as much already: ratios, and what hardly differs between drives.
 TENFOLD = (
     "belt.width", "belt.speed", "belt.momentary_factor", "belt.pulley_cover", "belt.carry_cover",
-    "belt.carcass", "belt.cover_shear_modulus", "belt.mass", "belt.strength", "pulley.diameter",
+    "belt.carcass", "belt.cord_diameter", "belt.cord_pitch",
+    "belt.cover_shear_modulus", "belt.mass", "belt.strength", "pulley.diameter",
     "take_up.sheave_ratio", "design_standard.friction", "design_standard.start_factor",
     "safety_factor.running", "safety_factor.starting", "safety_factor.braking",
     "sag.idler_spacing", "sag.share", "lagging.plain.law.friction",

@@ -31,6 +31,7 @@ from wraparc.drive.belt import Side
 from wraparc.files import drive_from_document
 from wraparc.files.write import drive_document
 from wraparc.study.source import DriveSource
+from wraparc.units import in_units
 
 QUICK = Distributed(capacities=False)
 

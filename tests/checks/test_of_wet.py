@@ -19,10 +19,10 @@ from wraparc.files import drive_from_document
 from wraparc.files.write import drive_document
 from wraparc.train import solve_train
 from wraparc.train.file import train_from_document
+from wraparc.units import in_units
 
 OPEN = replace(NONE, covered=False)
 SOFT = load_lagging("diamond-rubber")
-from wraparc.units import in_units
 
 
 def wet_checks(of: Drive) -> list[Check]:

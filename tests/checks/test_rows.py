@@ -166,8 +166,8 @@ def test_a_row_alone_governs(
 ) -> None:
     verdict = judged(make())
     governing = next(c for c in verdict.missed if c.name == name)
-    # what slips farther than was tested has no safety within the tests, which leads; a belt of known
-    # strength that is pulled beyond its rating has too little of it
+    # what slips farther than was tested has no safety within the tests, which leads; a belt of
+    # known strength that is pulled beyond its rating has too little of it
     others = {
         "belt_tension": ["belt_safety"],
         "momentary_tension": ["belt_safety"],

@@ -13,6 +13,7 @@ from wraparc.checks.of_run import otherwise
 from wraparc.motion import Event, LoadStep, Start, simulate, stability
 from wraparc.motion.control import Droop, ExactSpeed, Follower
 from wraparc.motion.result import RunResult
+from wraparc.units import in_units
 
 
 def named(run: RunResult, name: str) -> list[Check]:

@@ -1,6 +1,6 @@
 """Trains that a drum of slips: one verdict in every door, and no number where there is no state.
 
-Expected: sliding by friction's own limit (`checks.sliding`, held to definitions elsewhere), and the
+Expected: sliding by friction's own limit (`arc.sliding`, held to definitions elsewhere), and the
 same verdict as `wraparc solve` from every other door.
 """
 
@@ -11,8 +11,9 @@ import pytest
 
 from cli.running import wraparc
 from wraparc import Train, load_train, solve_train
-from wraparc.checks import Level, judge, least_tension
+from wraparc.checks import Level, Place, judge, least_tension
 from wraparc.train import TrainResult, TrainStatus
+from wraparc.units import in_units
 
 pytestmark = pytest.mark.usefixtures("solved_once")
 

@@ -683,7 +683,7 @@ ROWS = (
         ("210 deg",), ("choose",)),
     Row("every candidate is below the standard", (("", '[take_up]\nkind = "fixed"\n'),
                                                   ("120 kN", "245 kN"), ("75 kN", "130 kN")),
-        ("ATTENTION", "No candidate reaches", "Cw"), ("OK", "Choose"), ("choose",)),
+        ("ATTENTION", "Choose", "is below", "Cw"), ("OK, on",), ("choose",)),
     Row("a study of a drive computed dry", (), ("OK", "keep every check"), ("dry",),
         ("study",)),
     Row("a study without the load case that fails",

@@ -18,7 +18,7 @@ from wraparc.batch.laws import LawBank
 from wraparc.checks.check import Level
 from wraparc.checks.of_rows import NAMES, Held, held_by, row_checks
 from wraparc.checks.of_train import OF_MOTORS
-from wraparc.checks.rules import ACROSS_CHECKS, RULES
+from wraparc.checks.rules import ACROSS_CHECKS
 from wraparc.drive import Drive
 from wraparc.drive.pitch import centrifugal_of
 from wraparc.errors import InputError
@@ -100,8 +100,10 @@ class _Rows:
         levels: list[dict[str, int]] = [{} for _ in self.which]
         used: list[dict[str, float]] = [{} for _ in self.which]
         passed: list[list[str]] = [[] for _ in self.which]
-        for name, ranks, margins in row_checks(solved, held, factors, _SETTING):
-            shares = np.where(ranks > Level.OK.rank, _shares(margins, RULES[name].at_most), 0.0)
+        for check in row_checks(solved, held, factors, _SETTING):
+            name, ranks = check.rule.name, check.rank
+            missed = _shares(check.margin, check.rule.at_most)
+            shares = np.where(ranks > Level.OK.rank, missed, 0.0)
             most = shares.reshape(shape).max(axis=0)
             for i, rank in enumerate(np.asarray(ranks).reshape(shape).max(axis=0).tolist()):
                 if rank > Level.OK.rank:

@@ -9,20 +9,16 @@ from typing import Any
 import numpy as np
 
 from wraparc.answer.choose_words import (
-    below_standard,
     design_name,
     money,
     next_dearer_words,
-    reason,
     reasons,
     saving_words,
-    silent_standard,
     slack_words,
     unpriced_words,
 )
 from wraparc.answer.least_tension import at_least, tension_at
 from wraparc.answer.sheet import (
-    WEAK,
     Row,
     Sheet,
     Table,
@@ -32,9 +28,8 @@ from wraparc.answer.sheet import (
     number,
     percent,
     quantity,
-    weak_sources,
 )
-from wraparc.answer.words import format_verdict, under
+from wraparc.answer.words import format_verdict, stated_action, under
 from wraparc.checks import Level
 from wraparc.checks.action import Action
 from wraparc.choose.across import MOST, is_uneven
@@ -78,7 +73,7 @@ def choose_sheet(
         tables=tuple(t for t in tables if t.rows),
         remarks=remarks,
         sources=sources,
-        kept=(*remarks, *(() if told.label else weak_sources(sources))),
+        kept=remarks,
     )
 
 
@@ -89,42 +84,14 @@ def _but_edges(selection: Selection) -> str:
 
 def _verdict(selection: Selection, lighter: LighterBelt | None) -> Verdict:
     if not len(selection.ranking):
-        near = selection.nearest()
-        names = selection.broken(near)
-        counts = {n: int(h.broken.sum()) for n, h in selection.held.items() if h.broken.any()}
-        told = ", ".join(
-            f"{n.replace('_', ' ')} ({c} of {len(selection)})" for n, c in counts.items()
-        )
-        most = max(counts, key=lambda n: counts[n])
-        action = f"Add candidates against what is broken most, {most.replace('_', ' ')}."
-        return Verdict(
-            Level.FAILS,
-            "No candidate keeps every limit.",
-            (
-                f"Limits broken: {told}.",
-                f"Nearest: {design_name(selection, near)}: "
-                + "; ".join(reason(selection, near, n) for n in names)
-                + ".",
-            ),
-            action=Action(action),
-            name="choose",
-        )
+        return _single(selection) if len(selection) == 1 else _none(selection)
     best = int(selection.ranking[0])
     currency, years = selection.search.costing.currency, selection.search.costing.years
-    below, silent = below_standard(selection, best), silent_standard(selection, best)
-    name = design_name(selection, best, slack=False)
-    told = f"Choose {name}"
-    judged = selection.verdict
-    if judged.level.rank > Level.ATTENTION.rank:
-        told = f"The cheapest within the limits fails: {name}"
-    elif below:
-        told = f"No candidate {below}; the cheapest is {name}"
     held = tension_at(selection.search.drive.take_up_place)
-    headline = (
-        f"{silent}{told} with a {held} of "
-        f"{at_least(float(selection.slack_tension[best]))}: "
-        f"{money(float(selection.costs.total[best]), currency)} over {years:g} years, "
-        f"worst creep {named('exit_creep', float(selection.creep[best]))}."
+    text = (
+        f"Lowest cost: {design_name(selection, best, slack=False)} with {held} "
+        f"{at_least(float(selection.slack_tension[best]))}, "
+        f"{money(float(selection.costs.total[best]), currency)} in {years:g} years."
     )
     sentences = [
         *unpriced_words(selection),
@@ -132,43 +99,70 @@ def _verdict(selection: Selection, lighter: LighterBelt | None) -> Verdict:
         *saving_words(selection),
     ]
     if lighter is not None:
-        width = selection.search.drive.belt.width
-        tight = named("belt_modulus", lighter.tight_tension / width)
-        shares = (selection.search.limits.rating or {}).items()
-        allowed = "".join(f", of which {case} may take {percent(s)}" for case, s in shares)
-        sentences.append(
-            f"The lightest catalogue belt that would do is {lighter.belt.name}: "
-            f"{slack_words(selection.search)} {named('tension', lighter.slack_tension)}, largest "
-            "tension "
-            f"{tight} of a rated {named('belt_modulus', lighter.belt.rating or 0.0)}{allowed}."
-        )
+        sentences.append(_lighter_belt(selection, lighter))
     action = " ".join(_other_search(selection))
-    level = Level.ATTENTION if below or silent else Level.OK
-    level = max(level, judged.level, key=lambda of: of.rank)
-    lagging = selection.search.laggings[selection.grid.places[0, best]]
-    kind = lagging.source_of("law").kind
-    ground = ""
-    if level is Level.OK:
-        ground = judged.label
-        ground += f", on {kind} data" if kind in WEAK else ""
     own = Verdict(
-        level,
-        headline,
+        Level.OK,
+        text,
         tuple(sentences),
-        ground,
-        Action(action) if action else None,
+        action=Action(action) if action else None,
         name="choose",
     )
-    return under(own, format_verdict(judged))
+    judged = selection.verdict
+    return under(own, format_verdict(judged, action=stated_action(judged)))
+
+
+def _lighter_belt(selection: Selection, lighter: LighterBelt) -> str:
+    """Say which lightest belt of the catalogue would do."""
+    tight = named("belt_modulus", lighter.tight_tension / selection.search.drive.belt.width)
+    shares = (selection.search.limits.rating or {}).items()
+    allowed = "".join(f", of which {case} may take {percent(s)}" for case, s in shares)
+    return (
+        f"The lightest catalogue belt that would do is {lighter.belt.name}: "
+        f"{slack_words(selection.search)} {named('tension', lighter.slack_tension)}, largest "
+        "tension "
+        f"{tight} of a rated {named('belt_modulus', lighter.belt.rating or 0.0)}{allowed}."
+    )
+
+
+def _none(selection: Selection) -> Verdict:
+    """Say that no candidate passes, which is closest, and what most of them miss."""
+    near = selection.nearest()
+    counts = {s.rule.what: int(s.broken.sum()) for s in selection.standings.values()}
+    counts = {what: count for what, count in counts.items() if count}
+    told = ", ".join(f"{what} ({count} of {len(selection)})" for what, count in counts.items())
+    most = max(counts, key=lambda n: counts[n])
+    return Verdict(
+        Level.FAILS,
+        f"No candidate passes. Closest: {design_name(selection, near)}.",
+        (f"Missed: {told}.", f"Closest: {reasons(selection, near)}."),
+        action=Action(f"Add candidates against what most miss, {most}."),
+        name="choose",
+    )
+
+
+def _single(selection: Selection) -> Verdict:
+    """Say what the only candidate comes to, as `solve` does: there is nothing to choose."""
+    judged, broken = selection.judged(0), selection.broken(0)
+    failed = set(broken) & selection.search.limits.stated
+    own = Verdict(
+        Level.FAILS if failed else judged.level,
+        f"The candidate {design_name(selection, 0)} does not pass.",
+        (f"Missed: {reasons(selection, 0)}.",) if broken else (),
+        name="choose",
+    )
+    return under(own, format_verdict(judged, action=stated_action(judged)))
 
 
 def _other_search(selection: Selection) -> Iterator[str]:
     """Yield what to search instead where the recommended design misses a check."""
-    if not selection.verdict.missed:
+    missed = {check.name for check in selection.verdict.missed}
+    if not missed:
         return
     found = selection.sounder
     if found is None:
-        yield "Search again with that limit, or with other candidates."
+        if missed & selection.search.limits.stated:
+            yield "Search again with that limit, or with other candidates."
         return
     cost = money(float(selection.costs.total[found]), selection.search.costing.currency)
     does = "keeps every check" if selection.judged(found).level is Level.OK else "does not fail"
@@ -230,9 +224,9 @@ def _rejected(selection: Selection, most: int) -> Table:
     bad = [int(i) for i in np.flatnonzero(~selection.feasible)]
     if len(bad) > most:
         rows = [
-            Row(name.replace("_", " "), (f"{int(held.broken.sum())} designs break it",))
-            for name, held in selection.held.items()
-            if held.broken.any()
+            Row(standing.rule.what, (f"{int(standing.broken.sum())} designs miss it",))
+            for standing in selection.standings.values()
+            if standing.broken.any()
         ]
         return Table(
             "Why designs were rejected",
@@ -283,26 +277,18 @@ def _remarks(selection: Selection) -> Iterator[str]:
 
 def _slack_remarks(selection: Selection) -> Iterator[str]:
     search, sag = selection.search, selection.search.limits.sag
-    asked = ["creep", "the safety against gross slip"] + [
-        "the lowest tested wrap pressure"
-    ] * search.limits.tested_pressure
-    if search.drive.criteria.standard.name != "none":
-        asked.append("the design standard")
-    if selection.grid.others > 0.0:
-        least = quantity(selection.grid.others, "force")
-        asked.append(f"the checks of the other pulleys ({least})")
-    if sag is not None:
-        least = quantity(sag.tension, "force")
-        asked.append(f"a belt sag of {percent(sag.share, 2)} of the idler spacing ({least})")
     if search.least_slack:
-        words = " and ".join((", ".join(asked[:-1]), asked[-1]))
         held = tension_at(search.drive.take_up_place)
-        yield f"The {held} is the least for {words}."
+        yield f"The {held} is the least with which every check that it helps passes."
+    sag = sag or search.drive.criteria.sag
     if sag is None:
         yield (
-            "Belt sag may need more slack-side tension; it is not checked, because limits.sag does "
-            "not give the idler spacing and the mass of the belt."
+            "Belt sag may need more slack-side tension; it is not checked, because neither "
+            "limits.sag nor the drive file gives the idler spacing and the mass of the belt."
         )
+        return
+    least = quantity(sag.tension, "force")
+    yield f"Limited is a belt sag of {percent(sag.share, 2)} of the idler spacing ({least})."
 
 
 def _edge_remarks(selection: Selection) -> Iterator[str]:
@@ -336,7 +322,7 @@ def choose_csv(selection: Selection) -> str:
     """Return every design in SI units, with what it breaks, as CSV."""
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
-    names = list(selection.held)
+    names = list(selection.standings)
     writer.writerow(
         [*_CSV_HEADS]
         + [
@@ -350,7 +336,7 @@ def choose_csv(selection: Selection) -> str:
         writer.writerow(
             _csv_row(selection, i, names)
             + [str(rank.get(i, "")), *_uneven_cells(selection, i)]
-            + [_plain(float(selection.held[n].excess[i])) for n in names]
+            + [_plain(float(selection.standings[n].excess[i])) for n in names]
         )
     return out.getvalue()
 
@@ -375,7 +361,7 @@ def _uneven_cells(selection: Selection, i: int) -> list[str]:
     """Say how uneven a design runs; of one not solved across the width, that it was not."""
     if not is_uneven(selection.search):
         return []
-    edge = selection.held["edge_tension"]
+    edge = selection.standings["edge_tension"]
     known = math.isfinite(edge.value[i])
     told = "solved" if known else "not solved" if math.isnan(edge.value[i]) else "not carried"
     numbers = (selection.unevenness[i], edge.value[i], edge.limit[i])
@@ -390,7 +376,7 @@ def choose_document(selection: Selection, lighter: LighterBelt | None = None) ->
     """Return the ranking and the rejections as plain data [SI] for JSON; at most 10,000 designs."""
     some = range(min(len(selection), 10_000))
     return {
-        "format": 1,
+        "format": 2,
         "title": selection.search.title,
         "currency": selection.search.costing.currency,
         "years": selection.search.costing.years,
@@ -404,7 +390,6 @@ def choose_document(selection: Selection, lighter: LighterBelt | None = None) ->
 
 
 def _design_data(selection: Selection, i: int) -> dict[str, Any]:
-    held = selection.held
     return {
         "name": design_name(selection, i),
         "creep": float(selection.creep[i]),
@@ -426,11 +411,12 @@ def _design_data(selection: Selection, i: int) -> dict[str, Any]:
         ],
         "broken": {
             name: {
-                "value": float(held[name].value[i]),
-                "limit": float(held[name].limit[i]),
-                "excess": float(held[name].excess[i]),
-                "where": list(selection.place(int(held[name].where[i]))),
+                "value": float(standing.value[i]),
+                "limit": float(standing.limit[i]),
+                "excess": float(standing.excess[i]),
+                "where": list(selection.place(int(standing.where[i]))),
             }
             for name in selection.broken(i)
+            for standing in (selection.standings[name],)
         },
     }

@@ -11,16 +11,17 @@ from weakref import WeakKeyDictionary
 from wraparc.alike import largest, least
 from wraparc.arc import ArcResult, DriveResult, WrapArc
 from wraparc.arc.capacity import highest_tight
+from wraparc.arc.grip import lift
 from wraparc.arc.interval import laws_at_ends
+from wraparc.arc.sliding import with_friction
 from wraparc.checks.check import Level, Place
 from wraparc.checks.design_standard import find_requirement
-from wraparc.checks.gross_slip import lift, rises
+from wraparc.checks.gross_slip import rises
 from wraparc.checks.least_numbers import Pull, least_for_creep, least_for_slip
 from wraparc.checks.of_arc import COVER_CREEP, CREEP_INTERVAL, design_slack
 from wraparc.checks.of_wet import WET_CREEP, estimate_factor
 from wraparc.checks.rule import Rule, Spot, idle
 from wraparc.checks.rules import OF_PULLEY, spot_of
-from wraparc.checks.sliding import with_friction
 from wraparc.conveyor import Conveyor
 from wraparc.drive import Drive, LoadCase
 from wraparc.train import TrainResult
@@ -238,14 +239,16 @@ def _of_tension(rule: Rule, of: Spot, end: float) -> Iterator[Figure]:
 
     The safety factor of a belt, its tension the other way round, asks for what its rating does.
     """
-    text, value = rule.text and rule.text(of), rule.value
-    asks = rule.tension and rule.firm is None
-    if not asks or value is None or text is None or text.missing or text.why:
+    text = rule.text and rule.text(of)
+    if not is_of_tension(rule) or text is None or text.missing or text.why:
         return
-    more, least = of.state.width * 1e3, rule.tension == "raise"
-    now = value(of.state)
-    rise = (rule.limit_at(of) - now) / (value(of.state.raised(more)) - now) * more
-    yield Figure(rule.name, text.title, end + rise, of.place, at_least=least)
+    rise = rule.rise_to(of.state, rule.limit_at(of))
+    yield Figure(rule.name, text.title, end + rise, of.place, at_least=rule.tension == "raise")
+
+
+def is_of_tension(rule: Rule) -> bool:
+    """Return whether a check compares a tension, or what grows evenly with it, with a limit."""
+    return bool(rule.tension) and rule.firm is None and rule.value is not None
 
 
 def _standard(of: Spot, offset: float) -> Iterator[Figure]:
@@ -271,7 +274,11 @@ def _slip(result: ArcResult, offset: float, place: Place) -> Iterator[Figure]:
 
 def least_with_slip(result: ArcResult, limit: float) -> float:
     """Least slack-side tension with which the slip at the exit keeps a limit, the pull held [N]."""
-    arc = result.arc
+    return least_for_tested_slip(result.arc, limit)
+
+
+def least_for_tested_slip(arc: WrapArc, limit: float) -> float:
+    """Return the same of an arc that is not solved [N]."""
     found = least_for_slip(arc.law.compact(), arc.geometry(), _pull_of(arc), limit)
     return found + arc.centrifugal
 
@@ -281,7 +288,7 @@ def _estimates(spot: Spot, result: ArcResult, offset: float) -> Iterator[Figure]
     factor = estimate_factor(spot)
     for rule, title, asks in (
         (COVER_CREEP, "Creep with cover", least_when_covered(result)),
-        (CREEP_INTERVAL, "Creep, 95 % bound", least_by_interval(result)),
+        (CREEP_INTERVAL, "Creep, 95 % bound", _by_interval(result)),
         (WET_CREEP, "Wet creep", least_when_wet(result, factor)),
     ):
         if not math.isnan(asks):
@@ -309,13 +316,25 @@ def least_when_wet(result: ArcResult, factor: float) -> float:
     return found + arc.centrifugal
 
 
-def least_by_interval(result: ArcResult) -> float:
+def _by_interval(result: ArcResult) -> float:
+    if result.method == "paper":
+        return math.nan
+    return least_by_interval(result.arc, result.capacities.least_exit_tension)
+
+
+def least_by_interval(arc: WrapArc, least: float) -> float:
     """Least slack-side tension for the end of the creep's interval [N]; nan if there is none.
 
     The laws at the ends depend on the tensions: they are found anew at each tension.
+
+    Parameters
+    ----------
+    arc
+        The arc.
+    least
+        Its least slack-side tension for the creep by the law itself, nan if there is none [N].
     """
-    arc, least = result.arc, result.capacities.least_exit_tension
-    if arc.fit is None or not arc.fit.knots or result.method == "paper":
+    if arc.fit is None or not arc.fit.knots:
         return math.nan
     if math.isnan(least):
         return inf

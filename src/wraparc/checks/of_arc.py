@@ -10,16 +10,17 @@ import numpy as np
 
 from wraparc.alike import largest
 from wraparc.arc import ArcResult, Status
+from wraparc.arc.grip import sliding
+from wraparc.arc.sliding import CREEP, MOST, NOT_CARRIED, SLIDES, TESTED, Sliding
 from wraparc.arrays import Number
 from wraparc.checks.check import Amount, Check, Level, Place, escaped
 from wraparc.checks.design_standard import find_requirement
-from wraparc.checks.gross_slip import rises, sliding
-from wraparc.checks.numbers import balance_miss, idles, required_slack, steepest
+from wraparc.checks.numbers import balance_miss, required_slack, steepest
 from wraparc.checks.of_drive import EXTRAPOLATED, LARGER_CREEP, tests_of
 from wraparc.checks.rule import At, CheckText, Rule, Spot, State, idle, not_checked, origin
-from wraparc.checks.sliding import CREEP, MOST, NOT_CARRIED, SLIDES, TESTED, Sliding
 from wraparc.drive import CREEP_LIMIT, Criteria, Drive, LoadCase, TakeUp
 from wraparc.drive.pitch import turns_an_hour
+from wraparc.drive.pull import idles
 
 #: Largest miss of the energy balance that a solution is trusted with [-]; the usual mesh misses by
 #: 1.4e-5 at 0.8 m of creep, and by less than 1e-7 at creeps that a drive has.
@@ -51,7 +52,7 @@ def no_state(result: ArcResult) -> str:
 def grip(drive: Drive, case: LoadCase, arcs: Sequence[ArcResult], index: int) -> Check:
     """Check whether an arc carries its load, and with which factor in hand."""
     result = arcs[index]
-    take_up, name = drive.criteria.take_up, GROSS_SLIP.name
+    name = GROSS_SLIP.name
     place = Place(result.arc.pulley, case.name)
     if result.status is Status.UNSOLVED:
         return Check(
@@ -62,8 +63,7 @@ def grip(drive: Drive, case: LoadCase, arcs: Sequence[ArcResult], index: int) ->
         return Check(
             name=name, title=GRIP, noun=GRIP_NOUN, level=Level.OK, label="not driven", place=place
         )
-    rise = rises([r.arc for r in arcs], index, take_up)
-    return of_sliding(drive, case, result, sliding(result, rise))
+    return of_sliding(drive, case, result, sliding(result))
 
 
 def of_sliding(drive: Drive, case: LoadCase, result: ArcResult, found: Sliding) -> Check:

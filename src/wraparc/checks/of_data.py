@@ -7,10 +7,9 @@ from collections.abc import Iterator
 from wraparc.checks.check import Check, Level, Place, escaped
 from wraparc.checks.rule import Rule, Spot, origin
 from wraparc.drive import Drive, Lagging, Pulley
-from wraparc.drive.belt_mass import usual_mass
 from wraparc.drive.changes import WORN
 from wraparc.drive.conditions import SCALED
-from wraparc.drive.pitch import centrifugal_force, covered
+from wraparc.drive.pitch import covered
 from wraparc.provenance import Kind, Provenance
 
 

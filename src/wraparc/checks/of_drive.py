@@ -11,15 +11,15 @@ from wraparc.checks.check import Amount, Check, Level, Place, escaped
 from wraparc.checks.numbers import (
     COVERS_APART,
     LEAST_SHIFT,
-    USUAL_STRENGTH,
     has_equal_tension,
-    idles,
     same_shown,
     trim_shift,
 )
 from wraparc.checks.rule import At, CheckText, Rule, Spot, State, origin
 from wraparc.drive import Belt, Drive, LoadCase, Pulley
 from wraparc.drive.pitch import pitch_offset
+from wraparc.drive.pull import idles
+from wraparc.drive.usual_sizes import USUAL_STRENGTH
 
 #: Part by which tensions of neighbouring pulleys may differ: rounding of what was typed [-].
 MEETS = 0.02
@@ -89,7 +89,7 @@ def unknown_trim(first: str, shift: float, opposite: bool, place: Place) -> Chec
     )
 
 
-BELT_THICKNESS = Rule("belt_thickness", "a trim without the thickness of the belt")
+BELT_THICKNESS = Rule("belt_thickness", "a trim without the thickness of the belt", binding=False)
 
 
 def _tight(state: State[Number]) -> Number:

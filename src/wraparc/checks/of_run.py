@@ -14,6 +14,7 @@ from weakref import WeakKeyDictionary
 import numpy as np
 
 from wraparc.alike import largest
+from wraparc.arc.sliding import SLIDES
 from wraparc.checks import of_data, of_drive, of_wet
 from wraparc.checks.check import Amount, Check, Level, Place, escaped
 from wraparc.checks.judge import diameters
@@ -22,7 +23,6 @@ from wraparc.checks.of_arc import EXIT_CREEP, GRIP_NOUN, GROSS_SLIP
 from wraparc.checks.of_train import MOTOR_HEAT, motor_load
 from wraparc.checks.rule import CheckText, Rule, Spot, not_checked
 from wraparc.checks.rules import OF_PULLEY, spot_of
-from wraparc.checks.sliding import SLIDES
 from wraparc.checks.usual import Ends, Owner, owners_of, unusual, usual_sizes
 from wraparc.checks.verdict import Verdict
 from wraparc.conveyor import GRAVITY

@@ -13,8 +13,9 @@ from typing import Generic, Literal, Protocol
 from wraparc.arc import ArcResult, WrapArc
 from wraparc.arrays import Number
 from wraparc.checks.check import Amount, Check, Level, Place, keeps
-from wraparc.checks.numbers import beyond, idles
+from wraparc.checks.numbers import beyond
 from wraparc.drive import Drive, LoadCase, Pulley
+from wraparc.drive.pull import idles
 from wraparc.provenance import Provenance
 from wraparc.units import Dimension
 
@@ -241,6 +242,16 @@ class Rule:
     def limited(self, allowed: Number, state: State[Number]) -> Number:
         """Return the limit in a state, of what is allowed."""
         return allowed if self.limit is None else self.limit(allowed, state)
+
+    def rise_to(self, state: State[Number], limit: Number) -> Number:
+        """Return by how much all tensions rise until what is compared meets a limit [N].
+
+        What is compared, a tension or a pressure of it, must grow evenly with them.
+        """
+        more = state.width * 1e3
+        now = self.compared(state)
+        per_tension = (self.compared(state.raised(more)) - now) / more
+        return (limit - now) / per_tension
 
     def limit_at(self, of: Spot) -> float:
         """Return the limit at a spot, nan where nothing is allowed."""

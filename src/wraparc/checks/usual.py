@@ -1,6 +1,6 @@
 """Sizes that conveyors and their drives have: what is far from them is asked about.
 
-`USUAL_SIZES` of `numbers` are those that every arc compares, on the page too; here stand those of
+`USUAL_SIZES` are those that every arc compares, on the page too; here stand those of
 all that is described besides, by class and field.
 """
 
@@ -16,11 +16,9 @@ from wraparc.checks.check import NOWHERE, Amount, Check, Level, Place, escaped
 from wraparc.checks.numbers import (
     LARGE_MOTORS,
     USUAL_MOTORS,
-    USUAL_SIZES,
     Sizes,
     compared_motor,
     compared_sizes,
-    idles,
     usual,
 )
 from wraparc.checks.rule import Rule
@@ -34,6 +32,8 @@ from wraparc.conveyor import (
 )
 from wraparc.drive import Drive, Lagging, LoadCase, Pulley
 from wraparc.drive.pitch import pitch_offset
+from wraparc.drive.pull import idles
+from wraparc.drive.usual_sizes import USUAL_SIZES
 from wraparc.train import Motor, Motors, Speeds, Train
 from wraparc.train.motors import VariableSpeed
 from wraparc.units import Cell, Dimension, meant_by
@@ -49,7 +49,8 @@ USUAL: dict[str, dict[str, Ends]] = {
         "momentary_factor": (1.0, 2.0), "in_plane_shear_stiffness": (5e3, 5e6),
         "pulley_cover": (0.4e-3, 25e-3), "carry_cover": (0.4e-3, 35e-3),
         "carcass": (0.4e-3, 30e-3), "thickness": (1.5e-3, 60e-3),
-        "cover_shear_modulus": (0.3e6, 5e6),
+        "cover_shear_modulus": (0.3e6, 5e6), "cord_diameter": (1.5e-3, 20e-3),
+        "cord_pitch": (4e-3, 40e-3),
     },
     "TakeUp": {"sheave_ratio": (0.2, 8.0)},
     "DesignStandard": {"friction": (0.1, 0.9), "start_factor": (1.0, 2.5)},

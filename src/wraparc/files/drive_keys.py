@@ -74,6 +74,12 @@ BELT = Table(
         "Shear modulus of the covers; 1 MPa if left out, an estimate of what lies between 0.8 and "
         "1.5 MPa.",
     ),
+    Entry("cord_diameter", "Diameter of steel cords; the carcass if left out."),
+    Entry(
+        "cord_pitch",
+        "Distance between the axes of neighbouring steel cords: the rubber between them shears "
+        "too, by 1 to 2.5 mm more than the cover; left out, it is not counted.",
+    ),
     Entry(
         "mass",
         "Mass of a metre of belt; or belt_mass of [conveyor]. Of a preset with both covers it is "
