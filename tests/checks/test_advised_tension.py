@@ -145,7 +145,7 @@ def test_each_reason_governs_some_drive() -> None:
     untold = replace(rubber, surface="")
     of = replace(drive(110e3, 60e3, untold, COVERED), criteria=NONE)
     assert answers_all(of) == "cover_creep"
-    assert "the cover of the belt in series" in shown(least_sentence(solve(of)), "si")
+    assert "(Creep with cover, head, full)" in shown(least_sentence(solve(of)), "si")
 
 
 def test_what_no_tension_keeps_sets_none_and_is_named_so() -> None:
@@ -160,5 +160,5 @@ def test_what_no_tension_keeps_sets_none_and_is_named_so() -> None:
     assert math.isfinite(found.tension)
     table = least_table(result)
     assert table is not None
-    notes = [row.note for row in table.rows if row.title.startswith("Creep when wet")]
-    assert notes == ["not counted: no tension passes"]
+    told = [row.values[2] for row in table.rows if row.title == "Wet creep"]
+    assert told == ["not counted: no tension passes"]

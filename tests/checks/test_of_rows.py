@@ -156,7 +156,6 @@ CASES: list[tuple[str, Drive]] = [
     ("fatigue_stress", quiet(lagging=lagging(fatigue_limit=1e3))),
     ("tested_pressure_max", quiet(lagging=lagging(tested=replace(WIDE, pressure_max=1e5)))),
     ("tested_pressure_min", quiet(lagging=lagging(tested=replace(WIDE, pressure_min=150e3)))),
-    ("tested_slip", quiet(lagging=lagging(tested=replace(WIDE, slip_max=1e-5)))),
     ("tested_slip_speed", quiet(lagging=lagging(tested=replace(WIDE, slip_speed=3e-6)))),
     ("sag", quiet(criteria=replace(NONE, sag=Sag(spacing=5.0, line_mass=300.0)))),
 ]  # fmt: skip
@@ -185,7 +184,7 @@ def test_a_cover_that_the_law_may_include_is_asked_about_in_rows_too(side: Side)
 #: Checks that other tests compare row by row.
 _ELSEWHERE = {
     "belt_safety", "belt_thickness", "condition", "cover_creep", "fit", "momentary_load",
-    "motor_load",
+    "motor_load", "tested_slip",
 }  # fmt: skip
 
 
@@ -201,6 +200,13 @@ def test_no_check_is_forgotten_where_rows_are_judged() -> None:
 def test_each_check_governs_a_row_where_it_governs_the_drive(name: str, of: Drive) -> None:
     assert one_by_one(of)[1] == name
     assert of_rows(of) == one_by_one(of)
+
+
+def test_slip_beyond_the_tests_stands_behind_the_safety_within_them() -> None:
+    """What slips farther than was tested leaves the tests at less than its pull: that leads."""
+    of = quiet(lagging=lagging(tested=replace(WIDE, slip_max=1e-5)))
+    assert one_by_one(of) == of_rows(of) == ("ATTENTION", "gross_slip")
+    assert "tested_slip" in {check.name for check in judge(solve(of)).missed}
 
 
 def test_where_friction_falls_past_its_peak_the_margin_is_the_same() -> None:
@@ -265,7 +271,7 @@ def test_a_law_that_does_not_fit_its_tests_asks_for_attention_in_rows_too() -> N
     assert one_by_one(of) == ("ATTENTION", "fit")
     assert of_rows(of) == one_by_one(of)
     verdict = judge(solve(of))
-    assert in_units(verdict.text) == "Friction law of plain deviates from its tests (head, full)."
+    assert in_units(verdict.text) == "Friction law of diamond-rubber deviates from its tests (head, full)."
     assert "misses the tests by 9 % of the peak (and 1 more of its lagging file)" in verdict.full[0]
 
 

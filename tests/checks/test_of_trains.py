@@ -258,4 +258,4 @@ def test_the_choice_for_a_pulley_has_the_least_tension_of_the_train(
     assert found is not None
     ran = wraparc("choose", tmp_path / "choose.toml")
     told = shown(at_least(found.tension), "si")
-    assert f"slack-side tension of {told}" in ran.words
+    assert f"T2 {told}" in ran.words

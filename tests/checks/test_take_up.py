@@ -119,10 +119,10 @@ def test_every_door_names_the_tension_that_is_held(tmp_path: Path) -> None:
     path = train_of(tmp_path, TANDEM.read_text("utf-8") + AFTER)
     ran = wraparc("solve", path, "--full")
     assert "Minimum tension at the take-up behind pulley first" in ran.words
-    assert "Tension behind pulley first held (gravity take-up, winch)" in ran.words
+    assert "Tension behind first constant (gravity take-up, winch)" in ran.words
     assert "slack-side tension with which" not in ran.words
     titles = [t.title for t in shown(train_sheet(solve_train(load_train(path))), "si").tables]
-    assert "Minimum tension at the take-up behind pulley first" in titles
+    assert "Minimum tension at the take-up behind pulley first by check" in titles
 
 
 @pytest.mark.parametrize(

@@ -262,7 +262,7 @@ def test_a_choice_for_a_conveyor_is_what_its_drive_needs(tmp_path: Path) -> None
     assert missed(enough) == set()
     assert missed(less)
     words = shown(choose_sheet(found), "si").verdict
-    assert f"tension at the take-up of {math.ceil(held / 100.0) / 10.0:.1f} kN" in str(words)
+    assert f"tension at the take-up {math.ceil(held / 100.0) / 10.0:.1f} kN" in str(words)
 
 
 def test_a_candidate_that_would_push_the_belt_is_refused(tmp_path: Path) -> None:

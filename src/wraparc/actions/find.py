@@ -81,7 +81,7 @@ def _find(result: Whole) -> Action | None:
         phrases.append(last)
     if phrases:
         return Action(sentence_of(phrases), ways)
-    if RAISE not in kinds_of(worst):
+    if worst.action or RAISE not in kinds_of(worst):
         return own_action(worst)
     percent = percent_too_large(task, evaluate, worst.name, found.tried)
     return Action(none_text(percent, task))

@@ -65,8 +65,10 @@ def _variants(task: Task, tried: Sequence[Candidate], name: str) -> list[Variant
         now = Candidate(Variant(), task.now, Score(0, 0))
         best = min((now, *tried), key=lambda one: one.outcome.used.get(name, inf))
         return [best.variant]
-    steps = [(task.highest / task.tension) ** (k / _POINTS) for k in range(_POINTS + 1)]
-    tensions = [0.0, *(at_rung(rung_above(task.tension * step)) for step in steps[1:])]
+    tensions = [0.0]
+    if task.highest > task.tension:  # else the belt is allowed no more than it has
+        steps = [(task.highest / task.tension) ** (k / _POINTS) for k in range(1, _POINTS + 1)]
+        tensions += [at_rung(rung_above(task.tension * step)) for step in steps]
     wraps = [0.0, float(MOST_WRAP)] if WRAP in task.kinds and task.wrap < MOST_WRAP else [0.0]
     return [
         Variant(tension=tension, wrap=wrap, lagging=lagging)
