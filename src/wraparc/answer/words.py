@@ -87,20 +87,26 @@ def format_verdict(
 def under(own: Verdict, drive: Verdict) -> Verdict:
     """Return the answer to another question about a drive, with the verdict on the drive under it.
 
-    The level is the worse of both; the drive's sentence is the first of what else is missed.
+    The level is the worse of both; the drive's sentence is the first of what else is missed. Where
+    the other question is one of checks, as of an event, the worse of both leads.
     """
+    first, second = own, drive
+    if own.check is not None and drive.level.rank > own.level.rank:
+        first, second = drive, own
     level = max(own.level, drive.level, key=lambda of: of.rank)
-    missed = drive.level.rank > Level.OK.rank
-    also = (Also(drive.level, drive.text, drive.check), *drive.also) if missed else ()
+    missed = second.level.rank > Level.OK.rank
+    also = (Also(second.level, second.text, second.check), *second.also) if missed else ()
     return replace(
-        own,
+        first,
         level=level,
+        sentences=own.sentences,
+        kept=own.kept,
         label=own.label or drive.label if level is Level.OK else "",
-        action=own.action or drive.action,
-        also=(*own.also, *also),
+        action=first.action or second.action,
+        also=(*first.also, *also),
         wet=own.wet or drive.wet,
         data=own.data or drive.data,
-        judged=drive.judged,
+        judged=own.judged or drive.judged,
     )
 
 
