@@ -25,9 +25,9 @@ import {
   meet__interface,
   meet__may_rest,
   meet__with_rest,
-  numbers__idles,
   profile__entry_ratio,
   profile__traction_of,
+  pull__idles,
   quantities__counted,
   quantities__jumps,
   summary__geometry_of,
@@ -2141,7 +2141,7 @@ export function sheet__named(name, value) {
 
 /** Whether an arc hands nothing over: its pulley is not driven. */
 export function rule__idle(arc) {
-  return numbers__idles(arc.entry_tension, arc.exit_tension);
+  return pull__idles(arc.entry_tension, arc.exit_tension);
 }
 
 export function train_words___shares(case_) {
