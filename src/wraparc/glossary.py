@@ -306,7 +306,8 @@ QUANTITIES: tuple[Quantity, ...] = (
     ),
     Quantity(
         "exit_creep_ratio", "g2", "number", "Exit creep ratio",
-        "The same at the exit nip, g + (T1 - T2)/EA'.",
+        "The same at the exit nip, where the lagging has recovered, g + (T1 - T2)/EA'. A "
+        "tachometer behind the pulley shows the strain of the belt alone, without that recovery.",
     ),
     Quantity(
         "mean_friction", "mu_m", "number", "Mean friction",
