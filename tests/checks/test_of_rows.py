@@ -271,7 +271,10 @@ def test_a_law_that_does_not_fit_its_tests_asks_for_attention_in_rows_too() -> N
     assert one_by_one(of) == ("ATTENTION", "fit")
     assert of_rows(of) == one_by_one(of)
     verdict = judge(solve(of))
-    assert in_units(verdict.text) == "Friction law of diamond-rubber deviates from its tests (head, full)."
+    assert (
+        in_units(verdict.text)
+        == "Friction law of diamond-rubber deviates from its tests (head, full)."
+    )
     assert "misses the tests by 9 % of the peak (and 1 more of its lagging file)" in verdict.full[0]
 
 

@@ -96,8 +96,7 @@ class Standing:
 
     def with_worse(self, of: RowCheck, counts: Flags, where: int) -> Standing:
         """Return the worse of this and of the same check at another place."""
-        nearer = (of.margin < self.margin) | (np.isnan(of.margin) & ~np.isnan(self.margin))
-        worse = (of.rank > self.rank) | ((of.rank == self.rank) & (of.rank > 0) & nearer)
+        worse = of.is_worse(self.rank, self.margin)
         return replace(
             self,
             rank=np.where(worse, of.rank, self.rank),
@@ -126,7 +125,7 @@ class Judged:
     standings
         By name of the check.
     creep, bond_stress
-        Worst of the pulley [m] and [Pa], shape (n,); nan where it breaks away.
+        Worst of the pulley [m] and [Pa], shape (n,); nan in gross slip.
     of_costs
         ``power_loss`` and ``frictional_energy`` of the pulley in the first condition by load case.
     """
