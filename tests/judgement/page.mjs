@@ -21,6 +21,8 @@ const told = documents.map((doc) => {
   const judged = judge(judging, doc, numbers);
   const verdict = verdictOf(judged);
   const least = leastTold(judged)?.sentence;
-  return { first: `${verdict.word} ${words(verdict.headline)}`, least: words(least) };
+  const also = verdict.also.map((/** @type {any} */ a) => words(a.text));
+  const texts = [words(verdict.text), words(verdict.action?.text ?? ""), ...also];
+  return { first: [verdict.label, ...texts].join(" "), least: words(least) };
 });
 process.stdout.write(JSON.stringify(told));

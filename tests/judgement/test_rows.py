@@ -30,7 +30,7 @@ def solved(path: Path) -> DriveResult:
 
 def lead(words: str) -> str:
     """Return the first lines of an answer, up to what it says of a wet drive and of its data."""
-    return re.split(r" Wet | Data ", words)[0]
+    return re.split(r" Wet (?!creep)| Data ", words)[0]
 
 
 @pytest.fixture(scope="module")
@@ -62,8 +62,8 @@ def first_of(row: Row, door: str, folder: Path) -> str:
     if door != "note":
         return lead(ran.words)
     paragraphs = (folder / "note.md").read_text("utf-8").split("\n\n")
-    told = next(p for p in paragraphs if p.startswith("**"))
-    return " ".join(told.replace("\\", "").replace("**", "").split())
+    verdict = next(p for p in paragraphs if p.startswith("- **"))
+    return lead(re.sub(r"[\\*]|^- ", "", " ".join(verdict.replace("\n- ", " ").split())))
 
 
 @pytest.mark.parametrize(
