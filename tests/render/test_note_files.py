@@ -101,11 +101,15 @@ def test_the_sheets_are_these_with_frozen_heads_and_native_charts() -> None:
 
 def test_checks_stand_in_the_summary_as_numbers() -> None:
     rows = sheets(workbook(BOTH))["Summary"]
-    creep = next(row for row in rows if row[0] == "Creep at exit")
-    assert creep[1:7] == [
-        "at most", pytest.approx(6.35), pytest.approx(7.3773, rel=1e-4), "mm",
-        pytest.approx(-16.18, rel=1e-3), "ATTENTION",
-    ]  # fmt: skip
+    heads = next(row for row in rows if row[0] == "Check")
+    titles = [row[0] for row in rows]
+    creep = dict(zip(heads, rows[titles.index("Creep")], strict=True))
+    told = {head: creep[head] for head in heads[1:7]}
+    assert told == {
+        "Bound": "max", "Limit": pytest.approx(6.35), "Value": pytest.approx(7.3773, rel=1e-4),
+        "Unit": "mm", "Used [%]": pytest.approx(116.18, rel=1e-4), "Status": "ATTENTION",
+    }  # fmt: skip
+    assert "Data line" not in titles  # it compares nothing
 
 
 def test_nothing_typed_becomes_a_formula_or_a_link() -> None:
@@ -143,7 +147,7 @@ def test_a_train_brings_its_loads_shares_and_motors() -> None:
 def test_markdown_says_what_the_note_says() -> None:
     text = markdown(BOTH, NoteHead(author="A. Smith", date="2026-11-21", file="d.toml"))
     assert text.startswith("# Test drive\n")
-    assert "| Creep at exit | 7.38 mm | at most 6.35 mm | -16.2 % |" in text
+    assert "| Creep | 7.38 mm | max 6.35 mm | 116 % | ATTENTION | head, full " in text
     assert "| Name | A. Smith | | |" in text
     assert r"\frac{d \ln T}{d\theta}" in text
     for line in text.splitlines():  # every row of a table as wide as its head

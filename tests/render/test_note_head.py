@@ -44,21 +44,27 @@ def test_every_coloured_row_has_its_word_and_they_are_as_many_as_are_counted(
     tmp_path: Path,
 ) -> None:
     text = note(tmp_path, EXAMPLES / "head-drive-fabric.toml")
-    table = text.partition("## Checks against limits")[2].partition("Margin: how far")[0]
+    table = text.partition("## Checks against limits")[2].partition("Used: value over")[0]
     rows = [line for line in table.splitlines() if line.startswith("| ")][1:]
-    words = [row.rsplit("|", 2)[1].strip().split(":")[0] for row in rows]
+    words = [row.split("|")[5].strip() for row in rows]
     assert set(words) == {"OK", "ATTENTION"}
     kept = words.count("OK")
-    assert f"**Checks.** {kept} of {len(words)} checks are kept." in text
+    assert f"- **Checks** {kept} of {len(words)} checks pass." in text
     results = text.partition("## Results by load case")[2].partition("Margin: capacity")[0]
-    assert results.count("ATTENTION: ") == 2  # design and start creep over the limit
+    assert results.count("| ATTENTION creep |") == 2  # design and start
+    assert results.count("ATTENTION") == 2
 
 
 def test_a_scaled_law_is_called_what_it_is(tmp_path: Path) -> None:
     text = note(tmp_path, EXAMPLES / "uphill-conveyor.toml", "--conditions", "wet")
-    assert "its law is an illustrative one scaled as a whole" in text
+    lead = (
+        "- **ATTENTION** diamond-rubber not tested wet: dry friction times 0.824 used (head, full)."
+    )
+    assert lead in text
+    assert "Data** Friction, block, E\\_c illustrative; G estimated." in text
+    assert "the dry law scaled as a whole" in text
     wet = ("--set", "condition=wet")
     named = note(tmp_path, EXAMPLES / "head-drive-fabric.toml", *wet)
     assert "## Results by load case, wet\n" in named
     assert "## Governing arc in detail: pulley head, load case start, wet\n" in named
-    assert "a tested one" not in text
+    assert "a tested law" not in text

@@ -1,5 +1,6 @@
 """The note as PDF: kept for long, readable aloud, safe against what users type."""
 
+import re
 import subprocess
 import sys
 from dataclasses import replace
@@ -27,6 +28,7 @@ from wraparc.render import NoteHead, pdf
 from wraparc.render.equations import equations
 from wraparc.render.note import make_note
 from wraparc.render.note_pdf import note_pages
+from wraparc.units import in_units
 
 pytestmark = pytest.mark.usefixtures("solved_once")
 
@@ -135,7 +137,9 @@ def test_a_breakaway_is_reported_as_such() -> None:
     assert not broken.solved
     note = make_note([broken], NoteHead())
     assert note.told.level == "FAILS"
-    assert "FAILS: Safety against gross slip, running" in note.summary
+    sentence = in_units(note.told.text)
+    assert re.fullmatch(r"Gross slip: safety 0\.\d+ is below 1 \(head, full\)\.", sentence)
+    assert note.summary.startswith("4 of 7 checks pass.")
     assert pages(pdf([broken])) <= 4
 
 
