@@ -7,13 +7,14 @@ import { arcsOf, asked, judge } from "../../src/wraparc/web/static/pages/drive/j
 import { leastTold } from "../../src/wraparc/web/static/pages/drive/least.js";
 import { numbersOfAll } from "../../src/wraparc/web/static/pages/drive/numbers.js";
 import { wholeOf } from "../../src/wraparc/web/static/pages/drive/whole.js";
+import { linesOf } from "../../src/wraparc/web/static/parts/answers.js";
 import { checkTable, verdictOf } from "../../src/wraparc/web/static/pages/drive/words.js";
 
 const { form, book, cases } = JSON.parse(readFileSync(0, "utf-8"));
 app.form = form;
 /** What is made of texts, in the units looked at. */
 const shown = (of) => {
-  if (typeof of === "string" || of?.text) return words(of);
+  if (typeof of === "string" || of?.cells) return words(of);
   if (Array.isArray(of)) return of.map(shown);
   if (typeof of !== "object" || of === null) return of;
   return Object.fromEntries(Object.entries(of).map(([key, value]) => [key, shown(value)]));
@@ -39,7 +40,9 @@ const all = cases.map(({ doc, answer, changed }) => {
     ]);
     const sources = arcs.map((a) => a.table_sources);
     const least = leastTold(found);
-    return shown({ verdict: verdictOf(found), rows: cells, note, least, tables, sources });
+    const verdict = verdictOf(found);
+    verdict.lines = linesOf(verdict);
+    return shown({ verdict, rows: cells, note, least, tables, sources });
   };
   return { problems, arcs: told, si: texts("si"), us: texts("us") };
 });
