@@ -284,10 +284,12 @@ def test_a_belt_that_slides_through_an_event_fails_it(creep: float, level: str) 
     run = short_run()
     first, *others = run.drums
     most = replace(first.extremes, creep=Peak(creep, 1.0))
-    slid = replace(run, drums=(replace(first, extremes=most), *others))
+    slid = whole(replace(run, drums=(replace(first, extremes=most), *others)))
     verdict = judge_run(slid)
     assert verdict.level.value == level
-    assert ("is gross slip" in in_units(verdict.text)) == (level == "FAILS")
+    slides = "Gross slip: creep 64 mm exceeds 63.5 mm (first, start, 1 s)."
+    passes = "Creep 63 mm exceeds the 6.35 mm limit (first, start, 1 s)."
+    assert in_units(verdict.text) == (slides if level == "FAILS" else passes)
 
 
 def test_peaks_and_verdict_do_not_hang_on_the_rows_that_are_kept() -> None:
@@ -302,7 +304,7 @@ def test_peaks_and_verdict_do_not_hang_on_the_rows_that_are_kept() -> None:
         assert len(coarse.time) < 5
         assert [d.extremes for d in coarse] == [d.extremes for d in fine]
         assert [d.over_limit for d in coarse] == [d.over_limit for d in fine]
-        assert judge_run(coarse).headline() == judge_run(fine).headline()
+        assert judge_run(coarse).text == judge_run(fine).text
     table = np.abs(np.array(rows))  # of the first drum: T1, T2, speed, torque, creep, slip, shear
     most = fine.drums[0].extremes
     found = [p.value for p in (most.most_entry_tension, most.torque, most.creep, most.shear)]
@@ -403,9 +405,11 @@ def test_an_event_that_fails_leads_the_note_and_its_exit_code(tmp_path: Path) ->
     done = run_command("report", str(path), "-o", str(note))
     assert done.code == 1
     said = note.read_text("utf-8")
-    headline = next(line for line in said.splitlines() if line.startswith("**"))
-    assert headline.startswith("**FAILS.** Event back: The belt goes slack before first at 1.3")
-    assert "| Followed to its end |" in said  # among the checks
+    lead = next(line for line in said.splitlines() if line.startswith("- **"))
+    assert re.fullmatch(
+        r"- \*\*FAILS\*\* Belt goes slack before first at 1\.3\d* s \(back\)\.", lead
+    )
+    assert re.search(r"\| Event completed \|.*\| FAILS \| back ", said)  # among the checks
 
 
 def test_a_start_that_is_not_over_asks_to_look_longer() -> None:
@@ -415,7 +419,9 @@ def test_a_start_that_is_not_over_asks_to_look_longer() -> None:
     assert unsettled.governing is not None
     assert (unsettled.level, unsettled.governing.name) == (Level.ATTENTION, "run")
     assert judge_run(whole(run)).level is Level.OK
-    assert "Give the event a longer duration." in unsettled.headline()
+    assert in_units(unsettled.text).startswith("Belt speed ")
+    assert "at the end, not 3 m/s (start)." in in_units(unsettled.text)
+    assert unsettled.governing.action_text == "Give the event a longer duration."
     # a stop is over when the belt stands
     stopping = replace(run.event, happenings=(Stop(time=1.0),))
     v = run.station.train.belt.speed

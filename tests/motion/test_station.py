@@ -197,7 +197,7 @@ def test_power_failure_and_emergency_stop_bring_the_belt_to_rest_or_slack() -> N
         s, Event(duration=6.0, happenings=(PowerFailure(at=0.5, brakes=True),)), points=30
     )
     assert run.outcome is Outcome.SLACK
-    assert run.reason.startswith("The belt goes slack before first at ")
+    assert run.reason.startswith("Belt goes slack before first at ")
     assert run.time[-1] < 6.0  # kept up to there
 
 
