@@ -55,7 +55,7 @@ def test_a_run_has_the_words_and_numbers_of_the_command_line(api: TestClient) ->
     told = " ".join(told.split())
     for part in ("run", "stability"):
         verdict = answer[part]["verdict"]
-        for sentence in (verdict["headline"], *verdict["sentences"]):
+        for sentence in (verdict["text"], *verdict["sentences"]):
             assert worded(sentence) in told
     assert len(json.dumps(answer["played"])) < 400_000
 
@@ -144,7 +144,7 @@ def test_a_belt_that_goes_slack_on_the_way_is_an_answer_kept_up_to_there(api: Te
     assert 0.5 < answer["played"]["time"][-1] < 3.0
     verdict = answer["run"]["verdict"]
     assert verdict["level"] == "FAILS"
-    assert "The belt goes slack before first at 1.3" in worded(verdict["headline"])
+    assert "Belt goes slack before first at 1.3" in worded(verdict["text"])
 
 
 def test_a_run_is_cancelled_and_forgotten(api: TestClient, monkeypatch: pytest.MonkeyPatch) -> None:
