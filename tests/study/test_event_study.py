@@ -54,15 +54,15 @@ def test_a_row_is_the_run_of_its_design_and_a_refused_one_says_why(tmp_path: Pat
     assert float(rows[1]["peak creep [m]"]) == pytest.approx(run.peak_creep.value, rel=1e-6)
     assert float(rows[1]["peak tension [N]"]) == pytest.approx(run.peak_tension.value, rel=1e-6)
     assert rows[1]["worst check"] == str(judge_run(run).level)
-    assert rows[1]["verdict"] == judge_run(run).word
+    assert rows[1]["verdict"] == judge_run(run).label
     assert float(rows[1]["pulsates at [Hz]"]) == 0.0
     # the other doors tell the same
-    assert f"1 {judge_run(run).word}; 1 refused" in done.out
+    assert f"1 {judge_run(run).label}; 1 refused" in done.out
     refused, followed = json.loads(data.read_text("utf-8"))["designs"]
     assert (refused["label"], refused["peak_creep"]) == ("refused", None)
     assert followed["peak_creep"] == float(rows[1]["peak creep [m]"])
     drawn = picture.read_text("utf-8")
-    assert judge_run(run).word in drawn
+    assert judge_run(run).label in drawn
     assert "1 refused: not drawn" in drawn
 
 

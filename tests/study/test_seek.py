@@ -172,7 +172,7 @@ def test_values_no_drive_can_have_are_stepped_over() -> None:
 def test_a_value_is_judged_as_solve_does(
     name: str, field: str, value: str, changes: list[str]
 ) -> None:
-    # expected: word and headline of `wraparc solve` with the found value put over the file
+    # expected: label and sentence of `wraparc solve` with the found value put over the file
     file, told = EXAMPLES / f"{name}.toml", [arg for c in changes for arg in ("--set", c)]
     goal = ("--vary", field, "--result", "exit_creep", "--value", value)
     values = json.loads(wraparc("seek", file, *goal, *told, "--json", "-").out)["found"]
@@ -180,6 +180,6 @@ def test_a_value_is_judged_as_solve_does(
     for found in values:
         now = ("--set", f"{field}={found['value']!r} N")
         verdict = json.loads(wraparc("solve", file, *told, *now, "--json", "-").out)["verdict"]
-        assert {key: found[key] for key in ("level", "word", "headline")} == {
-            key: verdict[key] for key in ("level", "word", "headline")
+        assert {key: found[key] for key in ("level", "label", "text")} == {
+            key: verdict[key] for key in ("level", "label", "text")
         }
