@@ -128,6 +128,6 @@ def test_a_pulley_is_asked_about_where_the_take_up_stands_at_another(
     for take_up in ("", '[take_up]\nkind = "gravity"\nafter = "first"\n'):
         path.write_text(text + take_up, "utf-8")
         words = wraparc(command, path, "--pulley", "second", *more).words
-        told.append(words.partition("Least")[0])
+        told.append(words.partition("Minimum")[0])
     assert "creep" in told[0]
     assert told[0] == told[1]
