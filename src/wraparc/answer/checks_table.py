@@ -37,10 +37,10 @@ def check_table(verdict: Verdict, of: Sources | None = None, title: str = "Check
         title,
         tuple(_row(check, of) for check in judged),
         HEADS,
-        f"{NOTE} {_left(verdict)}".rstrip(),
+        " ".join(text for text in (NOTE, _not_checked(verdict, ": ")) if text),
         name="checks",
         short=_nearest(verdict, title),
-        brief=_left(verdict),
+        brief=_not_checked(verdict, "  "),
     )
 
 
@@ -60,11 +60,11 @@ def _row(check: Check, of: Sources | None) -> Row:
     return Row(check.title, values, note=note, name=check.name, level=check.level)
 
 
-def _left(verdict: Verdict) -> str:
-    """Return what was not checked, each with the key that is missing or the reason."""
+def _not_checked(verdict: Verdict, apart: str) -> str:
+    """Return what was not checked behind its label, each with the missing key or the reason."""
     left = [c for c in verdict.not_checked if c.name != "wet_creep"]
     named = ", ".join(f"{c.noun or c.title} ({c.missing or c.why})" for c in left)
-    return f"Not checked  {named}." if named else ""
+    return f"Not checked{apart}{named}." if named else ""
 
 
 def used_text(check: Check) -> str:
@@ -78,7 +78,7 @@ def used_text(check: Check) -> str:
 def checks_summary(verdict: Verdict) -> str:
     """Return how the checks end, in one sentence."""
     count = sum(c.compares for c in verdict.listed)
-    left = _left(verdict)
+    left = _not_checked(verdict, ": ")
     return f"{verdict.passed} of {count} checks pass.{f' {left}' if left else ''}"
 
 

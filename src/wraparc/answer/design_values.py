@@ -2,6 +2,7 @@
 
 import math
 
+from wraparc.answer.least_tension import at_least
 from wraparc.answer.sheet import Row, Table, between, named, quantity
 from wraparc.answer.sources import Sources
 from wraparc.arc import ArcResult, ClassicalDrive, classical_drives
@@ -60,12 +61,17 @@ def _design_row(drive: ClassicalDrive, result: ArcResult, of: Sources) -> Row:
     values = (
         f"{low:.2f}" if low == high else f"{low:.2f}-{high:.2f}",
         _pair("tension_ratio", drive.ratio),
-        _pair("tension", drive.slack_tension),
+        _at_least(*drive.slack_tension),
         "gross slip" if slips else _pair("active_arc", drive.slipping_arc),
     )
     note = of.note(design.provenance)
     title = ", ".join(part for part in (standard, design.surface, design.condition) if part)
     return Row(title, values, note=note, level=Level.ATTENTION if slips else None)
+
+
+def _at_least(low: float, high: float) -> str:
+    """Return the tensions that are needed, the higher rounded up as every minimum is."""
+    return at_least(high) if low == high else between("tension", low, high, "to up")
 
 
 def _pair(name: str, ends: tuple[float, float]) -> str:

@@ -82,7 +82,9 @@ class Row:
     @property
     def mark(self) -> str:
         """The word of its level, where no value says it."""
-        return "" if self.level is None or str(self.level) in self.values else str(self.level)
+        word = str(self.level or "")
+        said = any(value == word or value.startswith(f"{word} ") for value in self.values)
+        return "" if said else word
 
 
 @dataclass(frozen=True)

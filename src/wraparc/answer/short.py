@@ -67,7 +67,7 @@ _PICKED: dict[str, _Pick] = {
     "changes": _Pick(
         rows=(
             "Result", "Verdict", "entry_t", "exit_t", "effective", "exit_creep", "peak_shear_s",
-            "power_loss", "Least", "The same", "Belt across",
+            "power_loss", "Minimum", "The same", "Belt across",
         ),
         most=12, noted=False,
     ),

@@ -119,7 +119,7 @@ def _edge(
         label="edge tension",
         headline=f"Edge tension {{value}} exceeds the {{limit}} limit{still}",
         action=EVEN_EDGE,
-        full=f"That is {share:.3g} % of the rating; the tightest strip has {{strip}}.",
+        full=f"{share:.3g} % of the rating; the tightest strip has {{strip}}.",
         more={"strip": Amount(strip, "force_per_width")},
     )
     return ACROSS_RULES[name].compare(value, factor * belt.rating, place, text)

@@ -169,7 +169,7 @@ def tension_text(belt: Belt, kind: str, tension: float) -> CheckText:
         headline="Belt tension {value} exceeds the {limit} "
         + ("momentary rating" if momentary and factor != 1.0 else "rating"),
         action=action,
-        full=f"That is {{share}} % of the rating{f', factor {factor:g}' if times else ''}.",
+        full=f"{{share}} % of the rating{f', factor {factor:g}' if times else ''}.",
         more={
             "share": Amount(100.0 * tension / rated, "number"),
             "factor": Amount(tension / rated, "number", "up"),

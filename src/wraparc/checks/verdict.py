@@ -167,7 +167,7 @@ class Verdict:
     @property
     def full(self) -> tuple[str, ...]:
         """Reasons, allowances and assumptions of what is missed, and which pulleys brake."""
-        texts = [c.full_text for c in self.missed if c.full]
+        texts = [f"{c.title}: {c.full_text}" for c in self.missed if c.full]
         return (*dict.fromkeys(texts), *self._senses())
 
     def _senses(self) -> list[str]:

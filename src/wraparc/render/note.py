@@ -395,8 +395,8 @@ def _assumptions(results: Sequence[DriveResult], train: "TrainResult | None") ->
     yield f"{told}; it is that of the condition named ({_conditions(drive.laggings)})."
     for lagging in (lagging for lagging in drive.laggings if SCALED in lagging.sources):
         yield (
-            f"The law of {lagging.name} when {lagging.condition} is a tested law scaled as a whole "
-            f"({lagging.notes[-1]}; {lagging.sources[SCALED]}): nobody has measured it."
+            f"The law of {lagging.name} when {lagging.condition} is its dry law scaled as a whole "
+            f"({lagging.notes[-1]}; {lagging.sources[SCALED]}): not measured."
         )
     if any(lagging.law.tested is not None for lagging in drive.laggings):
         yield (

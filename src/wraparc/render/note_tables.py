@@ -43,7 +43,7 @@ def arcs_table(results: Sequence[DriveResult], whole: "DriveResult | TrainResult
     for arc in results[0]:
         told = creep_interval_text(arc)
         note += f" Creep in {belongs(arc)}: {told}." if told else ""
-    return Table("", tuple(rows), (*heads, "answer"), note)
+    return Table("", tuple(rows), (*heads, "status"), note)
 
 
 def shares_table(train: "TrainResult") -> Table:

@@ -12,7 +12,7 @@ from wraparc.answer.sheet import Row
 from wraparc.answer.sources import Sources
 from wraparc.answer.words import short
 from wraparc.arc import ArcResult, DriveResult
-from wraparc.checks import Check, Verdict
+from wraparc.checks import Check, Level
 from wraparc.errors import MissingExtraError
 from wraparc.glossary import GLOSSARY
 from wraparc.provenance import Provenance
@@ -184,14 +184,16 @@ class _Workbook:
         for column, title in enumerate(_CHECK_HEADS):
             self._put(sheet, row + 1, column, title, self.head)
         sheet.freeze_panes(row + 2, 1)
-        for line, check in enumerate(self._judged().listed, start=row + 2):
+        for line, check in enumerate(self._checks(), start=row + 2):
             for column, cell in enumerate(self._check(check)):
                 self._put(sheet, line, column, cell)
         for column, width in enumerate((46, 10, 12, 12, 8, 12, 14, 42, 60)):
             sheet.set_column(column, column, width)
 
-    def _judged(self) -> Verdict:
-        return self.note.judged
+    def _checks(self) -> list[Check]:
+        """Return the checks that compare, and those that could not be made."""
+        listed = self.note.judged.listed
+        return [c for c in listed if c.compares or c.level is Level.NOT_CHECKED]
 
     def _check(self, check: Check) -> tuple[Cell, ...]:
         unit, size = self._unit(check.dimension)
@@ -377,7 +379,7 @@ class _Workbook:
 _INPUT_HEADS = ("Of", "Quantity", "Symbol", "Value", "Unit", "Kind", "Source", "Note")
 _TABLE_HEADS = ("Table", "Row", "Symbol", "Column", "Value", "Unit", "Answer", "Note")
 _CHECK_HEADS = (
-    "Check", "Bound", "Limit", "Found", "Unit", "Margin [%]", "Answer", "Where it comes off worst",
+    "Check", "Bound", "Limit", "Value", "Unit", "Used [%]", "Status", "Place",
     "Source of the limit",
 )  # fmt: skip
 _CHARTS = (
