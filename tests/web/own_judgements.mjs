@@ -41,7 +41,7 @@ const all = cases.map(({ doc, answer, changed }) => {
     const sources = arcs.map((a) => a.table_sources);
     const least = leastTold(found);
     const verdict = verdictOf(found);
-    verdict.lines = linesOf(verdict);
+    verdict.lines = linesOf(verdict).map(([label, text]) => [label, text]);
     return shown({ verdict, rows: cells, note, least, tables, sources });
   };
   return { problems, arcs: told, si: texts("si"), us: texts("us") };

@@ -3,7 +3,14 @@ import type { ComponentChildren } from "preact";
 import type * as api from "./api.d.ts";
 
 export type Level = api.Level;
-export type Verdict = Partial<api.Verdict> & Pick<api.Verdict, "level" | "text" | "sentences">;
+type Own = "also" | "wet" | "data";
+/** A verdict of the server or of the page itself, which has no more of these than is shown. */
+export type Verdict = Partial<Omit<api.Verdict, Own>> &
+  Pick<api.Verdict, "level" | "text" | "sentences"> & {
+    also?: Pick<api.Also, "level" | "name" | "text">[];
+    wet?: Record<string, any> | null;
+    data?: Record<string, any> | null;
+  };
 export type Table = Omit<api.Table, "key"> & { key: string };
 export type TableRow = api.Row;
 export type Bar = api.Bar;

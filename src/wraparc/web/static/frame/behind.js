@@ -1,3 +1,3 @@
 // What comes behind the first answer, and needs no solver.
-export { raise, raiseAlone } from "../pages/drive/advice.js";
+export { offered, raise, raiseAlone } from "../pages/drive/advice.js";
 export { fileMenu } from "./file_menu.js";

@@ -5,16 +5,7 @@ import { percent, show, shown, words } from "../base/units.js";
 import { behind } from "../frame/header.js";
 import { PAGES } from "../frame/registry.js";
 import { judgedIf, list, standing, stands, table, verdict } from "../parts/answers.js";
-import {
-  checked,
-  facts,
-  framed,
-  leadOf,
-  marked,
-  renewed,
-  saying,
-  silent,
-} from "../parts/framed.js";
+import { checked, facts, framed, marked, renewed, saying, silent } from "../parts/framed.js";
 import { mark } from "../parts/problems.js";
 import { h } from "../vendor/preact.js";
 import { picks as casePicks, rank } from "./drive/screen.js";
@@ -25,7 +16,7 @@ import { matchingPlots } from "./train/plots.js";
 import { changes, reasons, shareBar, trimStrip } from "./train/strips.js";
 
 /** @import { Refused } from "../parts/framed.js" */
-/** @import { Design, Table } from "../types.d.ts" */
+/** @import { Design, Table, Verdict } from "../types.d.ts" */
 
 const state = {
   answer: /** @type {any} */ (null),
@@ -111,13 +102,7 @@ export const Page = () => {
       how: c && how === "fresh" ? standing(Boolean(known()), answer.problems) : how,
       form: trainInputs(a),
       say: c
-        ? saying(
-            how,
-            a.judged[a.load_cases.indexOf(c)],
-            more(a, c, m),
-            action(a, c),
-            state.problems,
-          )
+        ? saying(how, judgedIn(a, c), more(a, c, m), action(a, c), state.problems)
         : several()
           ? saying(how, /** @type {any} */ (null), "", null, state.problems)
           : silent("One pulley carries the whole load.", "", adding()),
@@ -174,12 +159,22 @@ function more(a, c, m) {
   const elsewhere = a.load_cases[worst].load_case;
   const to = () => look({ case: elsewhere });
   if (levels[worst] > levels[at])
-    return [
-      "Worse elsewhere: ",
+    return h(
+      "span",
+      { class: "line" },
+      h("b", {}, "Governing"),
+      " ",
       h("button", { type: "button", class: "link", onClick: to }, elsewhere),
-      `. ${leadOf(a.judged[worst])[0]}`,
-    ];
-  return words(a.judged[at].action) || slower(m, c.drives[0]);
+      ": ",
+      words(a.judged[worst].text),
+    );
+  return a.judged[at].action ? null : slower(m, c.drives[0]);
+}
+/** The verdict on a load case, with what was tried for all of them. @param {any} a @param {any} c
+ * @returns {Verdict} */
+function judgedIn(a, c) {
+  const own = a.judged[a.load_cases.indexOf(c)];
+  return rank(own) > 0 && a.verdict?.action ? { ...own, action: a.verdict.action } : own;
 }
 /** How much slower or faster a drum turns than the first. @param {any} m */
 const turns = (m) =>
@@ -191,6 +186,8 @@ const slower = (m, first) =>
  * @param {any} a @param {any} c */
 function action(a, c) {
   if (rank(a.judged[a.load_cases.indexOf(c)]) <= 0) return toMatch(c);
+  const first = now() === "fresh" && behind()?.offered();
+  if (first) return first;
   const least = Array.isArray(app.doc.train?.share) && now() === "fresh" && known();
   return least && behind()?.raise(least.least_tension?.raise_to);
 }

@@ -14,7 +14,7 @@ const LEVELS = {
   OK: ["good", "✓"],
   ATTENTION: ["warn", "▲"],
   FAILS: ["bad", "✕"],
-  "FAULT OF THE PROGRAM": ["bad", "✕"],
+  "INTERNAL ERROR": ["bad", "✕"],
 };
 /** @param {Level | null | undefined} level */
 export const levelClass = (level) => (level ? LEVELS[level]?.[0] || "" : "");
@@ -56,13 +56,48 @@ export const stands = (how, ...children) =>
     ...children,
   );
 
+/** How many further checks a verdict names. */
+const MOST_ALSO = 2;
+/** @typedef {[label: string, text: string, on?: boolean]} Line whether on the line before */
+/** Each line below the sentence of a verdict. @param {Verdict} v @returns {Line[]} */
+export function linesOf({ level, action, also = [], wet, reserve = [], data }) {
+  const more = also.length - MOST_ALSO;
+  const further = also
+    .slice(0, MOST_ALSO)
+    .map((a) => (a.level === level ? words(a.text) : `${a.level}: ${words(a.text)}`));
+  const lines = /** @type {Line[]} */ ([
+    ["Action", words(action?.text)],
+    ...further.map((text) => ["Also", text]),
+    ["Also", more > 0 ? `${more} more.` : "", true],
+    ["Wet", words(wet?.text)],
+    ...reserve.map((text) => ["Reserve", words(text)]),
+    ["Data", words(data?.text)],
+  ]);
+  return lines.filter(([, text]) => text);
+}
+/** @param {Line[]} lines @returns {Children} */
+export const lined = (lines) =>
+  lines.map(([label, text, on], i) =>
+    on
+      ? null
+      : h(
+          "span",
+          { class: "line", key: label + text },
+          h("b", {}, label),
+          " ",
+          text,
+          lines[i + 1]?.[2] && ` ${lines[i + 1][1]}`,
+        ),
+  );
 /** @param {Verdict} v @param {Children} [before] @param {Children} [after] what to do about it */
 export const verdict = (v, before, after) =>
   h(
     "div",
     { class: `verdict ${levelClass(v.level)}` },
     before,
-    h("p", { class: "headline" }, badge(v.level, v.label), " ", words(v.text), " ", after),
+    h("p", { class: "headline" }, badge(v.level, v.label), " ", words(v.text)),
+    h("p", { class: "lines" }, lined(linesOf(v))),
+    after,
     list(v.sentences),
   );
 /** @param {Text[] | undefined} texts @param {string} [cls] */

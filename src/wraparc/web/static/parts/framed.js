@@ -6,7 +6,7 @@ import { words } from "../base/units.js";
 import { checkOf, fold, foot, missing, reasonOf, said, worstFirst } from "../pages/drive/screen.js";
 import { answer } from "../pages/drive/solving.js";
 import { cloneElement, h } from "../vendor/preact.js";
-import { BELOW, list } from "./answers.js";
+import { BELOW, lined, linesOf, list } from "./answers.js";
 import { idOf } from "./field.js";
 import { mark } from "./problems.js";
 
@@ -53,18 +53,16 @@ export function renewed(state, fresh) {
 }
 /** Nothing is answered yet. @param {string} text @param {Children} [more]
  * @param {Children} [action] */
-export const silent = (text, more, action) => said("", text, more ?? "", action, "", null, null);
-/** The first sentence of a verdict; of a design before it only what becomes of it.
- * @param {Standing} how @param {Verdict} v @param {Children} [more] @param {Children} [action]
- * @param {Refused} [refused] */
+export const silent = (text, more, action) => said("", text, more ?? "", action, null, null);
+/** A verdict with its lines; of a design before it only what becomes of it.
+ * @param {Standing} how @param {Verdict} v @param {Children} [more] a line before its own
+ * @param {Children} [action] @param {Refused} [refused] */
 export function saying(how, v, more, action, refused = []) {
   if (how === "refused") return notComputed("Not computed.", refused);
   if (how !== "fresh") return silent(app.gone ? GONE : "Solving …", BELOW, action);
-  const [one, rest] = leadOf(v);
-  return said(v.level, one, more ?? rest, action, words(v.text), null, null);
+  const lines = [more, lined(linesOf(v))];
+  return said(v.level, words(v.text), lines, action, null, null, v.label);
 }
-/** The sentence of a verdict, and what to do. @param {Verdict} v @returns {[string, string]} */
-export const leadOf = ({ text, action }) => [words(text), words(action?.text ?? "")];
 /** @param {string} key of a field: whether it is in view */
 const inView = (key) =>
   [...document.querySelectorAll(`[id$="${idOf(key.split(","), "")}"]`)].some((e) =>
@@ -88,7 +86,6 @@ export const notComputed = (head, refused, action) =>
         "",
         "",
         null,
-        "",
         [h("p", {}, head, " ", action), list(refused.map(sentence), "reasons")],
         null,
       );

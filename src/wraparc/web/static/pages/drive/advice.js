@@ -1,14 +1,41 @@
-// What a check advises with a number, to be applied with one press.
-import { app, caseNames, change, set } from "../../base/design.js";
+// What to do about a verdict, applied with one press.
+import { app, caseNames, change, gripped, set } from "../../base/design.js";
 import { noteUndo } from "../../base/removed.js";
-import { trim, unit, written } from "../../base/units.js";
-import { TENSIONS } from "../../parts/problems.js";
+import { trim, unit, words, written } from "../../base/units.js";
+import { spec } from "../../parts/field.js";
+import { place, TENSIONS } from "../../parts/problems.js";
 import { h } from "../../vendor/preact.js";
 import { raised } from "./load.js";
 import { known, whole } from "./solving.js";
 
 /** @import { Children, Design, FullArc } from "../../types.d.ts" */
+/** @import { Way } from "../../api.d.ts" */
 
+/** The design with all changes of a way. @param {Way} way @returns {Design} */
+function changed({ changes }) {
+  let doc = app.doc;
+  for (const { key, to, unit } of changes) {
+    const path = place(key);
+    const name = String(path.at(-1));
+    const { dimension } = spec(TENSIONS.includes(name) ? "tensions" : String(path[0]), name);
+    const number = typeof to === "number" && unit !== null;
+    doc = set(doc, path, number ? (dimension ? written(to, dimension, 9) : `${to} ${unit}`) : to);
+  }
+  return doc;
+}
+/** A button that makes all changes of the first way of the verdict; none where it has no way.
+ * @returns {Children} */
+export function offered() {
+  const way = whole()?.verdict.action?.ways[0];
+  if (!way) return null;
+  const text = words(way.text);
+  const apply = () => {
+    change(changed(way));
+    noteUndo(`${text} `, "");
+  };
+  const how = { type: "button", class: "main advice", key: "advice", disabled: gripped() };
+  return h("button", { ...how, onClick: apply }, text);
+}
 const DIGITS = 3;
 /** A tension rounded up in the units looked at, so that what asks for it is kept: SI and text.
  * @param {number} v @returns {[number, string]} */

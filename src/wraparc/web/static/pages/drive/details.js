@@ -3,7 +3,7 @@ import { app, caseNames } from "../../base/design.js";
 import { words } from "../../base/units.js";
 import { judgedIf, standing, table, verdict } from "../../parts/answers.js";
 import { Component, createRef, h } from "../../vendor/preact.js";
-import { raise } from "./advice.js";
+import { offered, raise } from "./advice.js";
 import { after } from "./after.js";
 import { BySource } from "./by_source.js";
 import { figures, placeText, reading } from "./figures.js";
@@ -118,7 +118,11 @@ function governing() {
     "div",
     { key: "governing", class: "governing" },
     title && h("h2", {}, title),
-    verdict(judgedIf(how, full.verdict), null, raise(known()?.least_tension?.raise_to)),
+    verdict(
+      judgedIf(how, full.verdict),
+      null,
+      offered() || raise(known()?.least_tension?.raise_to),
+    ),
   );
 }
 /** What to know about the data. @param {QuickAnswer} arc */

@@ -30,7 +30,7 @@ import {
 } from "../../base/units.js";
 import { behind } from "../../frame/header.js";
 import { views } from "../../frame/tabs.js";
-import { BELOW, levelClass, list, standing } from "../../parts/answers.js";
+import { BELOW, levelClass, lined, linesOf, list, standing } from "../../parts/answers.js";
 import { choose, oneOf } from "../../parts/choose.js";
 import { NEEDED, shownFields } from "../../parts/field.js";
 import { TENSIONS } from "../../parts/problems.js";
@@ -45,7 +45,7 @@ import { questions } from "./questions.js";
 import { fullTension, limits, scaleOf } from "./ranges.js";
 import { answer, known, onAnswer, solver, whole, wholeArc } from "./solving.js";
 
-/** @import { Bar, Children, Design, FullArc, Level, QuickAnswer, Text } from "../../types.d.ts" */
+/** @import { Bar, Children, Design, FullArc, Level, QuickAnswer } from "../../types.d.ts" */
 /** @import { Handle, StageData } from "../../plots/stage.js" */
 /** @import { CurveData } from "../../plots/curve.js" */
 
@@ -274,41 +274,21 @@ const stood = () => standing(answer.quickDoc === app.doc, answer.problems);
 
 // The verdict.
 
-/** Where a sentence ends: behind a word, not behind a letter that stands for a name. */
-const END = /^(.*?(?:[a-z0-9)%°]|kN)\.) (?=[A-Z])/s;
-/** The first sentence of a verdict, or its first part, without the place that the page shows; and
- * the rest.
- * @param {Text} text @param {{pulley: string, load_case: string}} arc
- * @returns {[string, string]} */
-export function opening(text, { pulley, load_case }) {
-  const whole = words(text);
-  const places = [`Pulley ${pulley}, load case ${load_case}: `, `Pulley ${pulley}: `];
-  const place = places.find((p) => whole.startsWith(p));
-  const said = whole
-    .slice(place?.length)
-    .replace(` (pulley ${pulley}, load case ${load_case})`, "");
-  const [, one = said] = END.exec(said) ?? [];
-  const long = one.split(" ").length > 15;
-  const half = one.search(long ? /[;:] / : /; /);
-  return half > 0
-    ? [`${said.slice(0, half)}.`, said[half + 2].toUpperCase() + said.slice(half + 3)]
-    : [one, said.slice(one.length + 1)];
-}
 /** @param {Level | ""} level @param {Children} text @param {Children} more
- * @param {Children} [action] @param {string} [all] @param {Children} [alert]
- * @param {string | null} [id] */
-export const said = (level, text, more, action, all = "", alert = null, id = "verdict") =>
+ * @param {Children} [action] @param {Children} [alert] @param {string | null} [id]
+ * @param {string} [label] what stands for the level */
+export const said = (level, text, more, action, alert = null, id = "verdict", label = level) =>
   h(
     "div",
     { class: `say ${levelClass(level || null)} ${alert ? "refused-say" : ""}`, id },
     glyph(level || null, 28),
     h(
       "div",
-      { role: "status", title: all },
+      { role: "status" },
       h(
         "p",
-        { class: String(text).length > 72 ? "long" : "" },
-        level && h("span", { class: "away" }, `${level}: `),
+        { class: String(text).length > 60 ? "long" : "" },
+        level && h("span", { class: "away" }, `${label}: `),
         text,
       ),
       h("small", {}, more),
@@ -326,23 +306,13 @@ function verdict(arc, refused) {
   const { level, verdict: v } = arc;
   const full = known();
   if (!level) return said("", creepOf(arc), "");
-  const [one, rest] = opening(v.text, arc);
   const does = full && action(arc);
-  const worse = lacking()
-    ? `Load case design lacks a tension and is left out. Shown is ${arc.load_case}.`
-    : (elsewhere(full?.arcs, arc) ??
-      (does
-        ? besides(one.slice(0, -1))
-        : words(v.action?.text ?? "") || (END.exec(rest)?.[1] ?? rest)));
-  return said(level, one, worse, does, words(v.text));
-}
-/** What is missed besides what the sentence is of: the action beside it is solved for all.
- * @param {string} one */
-function besides(one) {
-  const also = worstFirst(wholeArc()?.bars ?? []).filter(
-    (b) => rank(b) > 0 && !words(b.says).startsWith(one),
-  );
-  return also[0] && `Also not kept: ${few(also.map((b) => b.title))}.`;
+  const lacks =
+    lacking() && `Load case design lacks a tension and is left out. Shown is ${arc.load_case}.`;
+  const tried = rank(arc) > 0 ? whole()?.verdict.action : null;
+  const lines = linesOf({ ...v, action: tried ?? (does ? null : v.action) });
+  const more = [lacks || elsewhere(full?.arcs, arc), lined(lines)];
+  return said(level, words(v.text), more, does, null, undefined, v.label);
 }
 /** @param {QuickAnswer} arc */
 const creepOf = (arc) =>
@@ -366,7 +336,7 @@ function notComputed(before) {
   const below = before ? BELOW : "";
   const head = not.length ? "Not solved in this page." : "Not computed.";
   if (reasons.length)
-    return said("", "", "", null, "", [
+    return said("", "", "", null, [
       h("p", {}, `${head} ${below}`),
       list(reasons.map(sentence), "reasons"),
     ]);
@@ -390,7 +360,7 @@ function nameOf(key) {
   const of = at === "pulley" && app.doc.pulley[1] ? `, pulley ${app.doc.pulley[+i].name}` : "";
   return `${shownFields.get(key)?.[0]}${of}`;
 }
-const LEVELS = ["OK", "ATTENTION", "FAILS", "FAULT OF THE PROGRAM"];
+const LEVELS = ["OK", "ATTENTION", "FAILS", "INTERNAL ERROR"];
 export const rank = (/** @type {{level: Level}} */ a) => LEVELS.indexOf(a.level);
 const use = (/** @type {QuickAnswer | FullArc} */ a) =>
   a.status === "solved" ? Math.abs(a.numbers.exit_creep) / a.creep_limit : Infinity;
@@ -407,14 +377,19 @@ function elsewhere(arcs, arc) {
   const place =
     worse.pulley === arc.pulley ? worse.load_case : `${worse.load_case}, ${worse.pulley}`;
   const to = () => look({ case: worse.load_case, pulley: Math.max(0, pulley) });
-  return [
-    "Worse elsewhere: ",
+  return h(
+    "span",
+    { class: "line" },
+    h("b", {}, "Governing"),
+    " ",
     h("button", { type: "button", class: "link", onClick: to }, `${place}: ${worse.short}`),
-  ];
+  );
 }
 /** What helps, solved before it is offered. @param {QuickAnswer} arc @returns {Children} */
 function action(arc) {
   if (rank(arc) < 1) return null;
+  const first = behind()?.offered();
+  if (first) return first;
   const { train } = app.doc;
   if (train && !Array.isArray(train.share)) return null; // the load divides anew: see the details
   const all = known()?.least_tension?.raise_to;
@@ -608,7 +583,7 @@ const NOT_MADE = /** @type {Bar} */ ({
 /** The limit of a check, without the unit that its value has. @param {Bar} b */
 function atLimit(b) {
   const [limit, unit] = words(b.limit).split(/(?<=\d) /);
-  const number = limit.replace(/^at (most|least) /, "");
+  const number = limit.replace(/^(max|min) /, "");
   const alone = !unit || words(b.found).endsWith(` ${unit}`);
   return `${b.at_most ? "≤" : "≥"} ${alone ? number : `${number} ${unit}`}`;
 }

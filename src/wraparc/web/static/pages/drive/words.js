@@ -33,7 +33,7 @@ export function verdictOf(judged, load_case, pulley) {
     label,
     text,
     action: action ? { text: action, ways: [] } : null,
-    also: [...verdict.also],
+    also: [...verdict.also].map(alsoOf),
     wet: wet_text ? { text: wet_text } : null,
     data: { text: data.text },
     sentences: [...verdict.full],
@@ -42,6 +42,8 @@ export function verdictOf(judged, load_case, pulley) {
     levels: Object.fromEntries(levels),
   };
 }
+/** A further check that is missed, without what else it is. @param {any} check */
+const alsoOf = ({ level, name, text }) => ({ level, name, text });
 /** The answer in a few words; of a whole drive that of the arc that governs.
  * @param {Judged} judged @param {any} verdict @param {string} [load_case]
  * @param {string} [pulley] */
