@@ -58,6 +58,8 @@ def _find(result: Whole) -> Action | None:
         return None
     if worst.level is Level.FAULT or worst.name in DATA_CHECKS or not kinds_of(worst):
         return own_action(worst)
+    if worst.name == "operating_point" and worst.action:  # a motor: no tension, wrap or lagging
+        return own_action(worst)
     source = source_of(result, _pulleys(verdict, result), _take_up(result))
     if source is None:
         return own_action(worst)

@@ -20,7 +20,7 @@ from wraparc.alike import place_of_largest
 from wraparc.answer.sheet import NONE, Row, Table, headed, named, number, percent, row_of
 from wraparc.arc import DriveResult
 from wraparc.arrays import Array
-from wraparc.checks import Level, Place, Verdict, judge
+from wraparc.checks import Level, Verdict, judge
 from wraparc.checks.rules import ACROSS_CHECKS
 from wraparc.drive import Drive
 from wraparc.glossary import GLOSSARY
@@ -60,12 +60,11 @@ def worst_first(result: DriveResult) -> list[AcrossResult]:
     """Return uneven pulleys in their load cases, the one with the worst check across first."""
     checks = [c for c in judge(result).checks if c.name in ACROSS_CHECKS]
 
-    def badness(found: AcrossResult) -> tuple[int, float]:
-        place = Place(found.wide.arc.pulley, found.wide.arc.load_case)
-        worst = Verdict(tuple(c for c in checks if c.place == place)).governing
-        margin = math.nan if worst is None else worst.margin
-        rank = 0 if worst is None else worst.level.rank
-        return -rank, math.inf if math.isnan(margin) else round(margin, 9)
+    def badness(found: AcrossResult) -> tuple[float, float]:
+        of = found.wide.arc.pulley, found.wide.arc.load_case
+        here = tuple(c for c in checks if (c.place.pulley, c.place.load_case) == of)
+        worst = Verdict(here).governing
+        return (math.inf, math.inf) if worst is None else worst.order
 
     return sorted(across_of(result), key=badness)
 

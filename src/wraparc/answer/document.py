@@ -10,13 +10,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from wraparc.actions import find_action
 from wraparc.answer.checks_table import check_data, verdict_document
 from wraparc.answer.conditions_table import conditions_data
 from wraparc.answer.conveyor_table import conveyor_data
 from wraparc.answer.inputs import arc_inputs
 from wraparc.answer.least_tension import least_data
 from wraparc.answer.wear_table import life_data
+from wraparc.answer.words import action_of
 from wraparc.arc import ArcResult, ClassicalDrive, DriveResult, WrapArc, classical_drives
 from wraparc.checks import Level, judge
 from wraparc.drive import Belt, Drive, Lagging
@@ -74,7 +74,7 @@ def result_document(
         "solved": results[0].solved,
         "within_creep_limit": results[0].within_creep_limit,
         "governing": _place(results[0].governing),
-        "verdict": verdict_document(told, find_action(whole)),
+        "verdict": verdict_document(told, action_of(whole)),
         "least_tension": least_data(whole),
         "remarks": list(told.remarks),
         "arcs": arcs,

@@ -26,7 +26,7 @@ def event_study_sheet(study: EventStudy, rows: Sequence[EventRow]) -> Sheet:
         "verdict",
     )
     lines = [_line(study, row) for row in rows]
-    refused = [f"{_named(study, r)}: {r.said}" for r in rows if r.refused]
+    refused = [f"{_named(study, r)}: {r.text}" for r in rows if r.refused]
     note = (
         "Swing: half of the last drum's pull from least to most over its mean, in the last quarter "
         "of the run. Pulsates: frequency of a vibration that grows by itself."
@@ -44,7 +44,7 @@ def event_study_sheet(study: EventStudy, rows: Sequence[EventRow]) -> Sheet:
 def _counted(rows: Sequence[EventRow]) -> str:
     """How many designs come to which verdict, the best first."""
     ranks = {str(level): level.rank for level in Level}
-    found = Counter((ranks.get(row.level, len(ranks)), row.word) for row in rows)
+    found = Counter((ranks.get(row.level, len(ranks)), row.label) for row in rows)
     return "; ".join(f"{count} {word}" for (_, word), count in sorted(found.items()))
 
 
@@ -55,7 +55,7 @@ def _named(study: EventStudy, row: EventRow) -> str:
 
 def _line(study: EventStudy, row: EventRow) -> Row:
     if row.refused:
-        return Row(_named(study, row), (*[NONE] * 6, row.word))
+        return Row(_named(study, row), (*[NONE] * 6, row.label))
     values = (
         quantity(row.peak_creep, "length"),
         quantity(row.peak_tension, "force"),
@@ -63,7 +63,7 @@ def _line(study: EventStudy, row: EventRow) -> Row:
         NONE if math.isnan(row.swing) else percent(row.swing, 2),
         work(row.friction_energy),
         f"{row.pulsates:.3g} Hz" if row.pulsates else "no",
-        row.word,
+        row.label,
     )
     return Row(_named(study, row), values, level=Level(row.level))
 

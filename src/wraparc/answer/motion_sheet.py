@@ -39,6 +39,7 @@ def run_sheet(run: RunResult) -> Sheet:
         verdict=under(replace(own, kept=tuple(others)), format_verdict(_steady(run.station.train))),
         tables=(*run_tables(run), check_table(told)),
         remarks=(*told.remarks, *_LEFT_OUT, *_surface(run.station.train)),
+        kept=(*_LEFT_OUT, *_surface(run.station.train)),
         sources=(run.station.source,) if run.station.source else (),
     )
 

@@ -8,6 +8,7 @@ from wraparc.answer.checks_table import verdict_document
 from wraparc.answer.least_tension import least_data
 from wraparc.answer.sheet import shown
 from wraparc.answer.train_words import matching_verdict
+from wraparc.answer.words import action_of
 from wraparc.checks import TRAIN_BALANCE, judge
 from wraparc.train import CaseResult, Matching, MemberResult, ShareCurve, ShareMap, TrainResult
 from wraparc.version import __version__
@@ -15,11 +16,12 @@ from wraparc.version import __version__
 Data = dict[str, Any]
 
 
-def train_document(result: TrainResult) -> Data:
-    """Return what a solved train has besides its arcs."""
+def train_document(result: TrainResult, *, search: bool = True) -> Data:
+    """Return what a solved train has besides its arcs; `search` as `train_verdict` has it."""
+    action = action_of(result, search=search)
     return {
         "solved": result.solved,
-        "verdict": verdict_document(judge(result)),
+        "verdict": verdict_document(judge(result), action),
         "least_tension": least_data(result),
         "load_cases": [_case_data(case) for case in result],
     }

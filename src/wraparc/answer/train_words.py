@@ -4,9 +4,14 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from math import floor, isfinite, isnan, log10
 
-from wraparc.actions import find_action
 from wraparc.answer.sheet import Verdict, named, percent
-from wraparc.answer.words import format_verdict, minimum_sentences, stated_action, under
+from wraparc.answer.words import (
+    action_of,
+    format_verdict,
+    minimum_sentences,
+    stated_action,
+    under,
+)
 from wraparc.checks import Level, idle, judge
 from wraparc.checks.numbers import pull_against
 from wraparc.glossary import GLOSSARY
@@ -43,7 +48,7 @@ def train_verdict(result: TrainResult, *, search: bool = True) -> Verdict:
     governing = [*case_sentences(worst, result.cases)]
     others = [s for case in result if case is not worst for s in short_sentences(case)]
     sentences = [*minimum_sentences(result), *judged.full, *governing, *others]
-    action = find_action(result) if search else stated_action(judged)
+    action = action_of(result, search=search)
     # what splits besides is no check, and is said where the answer is short too
     kept = tuple(governing[1:2]) if worst.other_splits else ()
     return replace(format_verdict(judged, sentences, action), kept=kept)

@@ -6,11 +6,10 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 from weakref import WeakKeyDictionary
 
-from wraparc.actions import find_action
 from wraparc.answer.least_tension import least_sentence
 from wraparc.answer.sheet import Also, Verdict, named
 from wraparc.arc import ArcResult, DriveResult, Status
-from wraparc.checks import Level, idle, judge
+from wraparc.checks import Check, Level, idle, judge
 from wraparc.checks import Verdict as Judgement
 from wraparc.checks.action import Action
 from wraparc.drive import Drive, LoadCase, Tensions
@@ -36,8 +35,17 @@ def verdict(result: DriveResult, *, search: bool = True) -> Verdict:
     sentences = [*minimum_sentences(result), *judged.full]
     if worst.status is Status.BREAKAWAY:
         sentences += _breakaway(worst)
-    action = find_action(result) if search else stated_action(judged)
-    return format_verdict(judged, sentences, action)
+    return format_verdict(judged, sentences, action_of(result, search=search))
+
+
+def action_of(result: "DriveResult | TrainResult", *, search: bool = True) -> Action | None:
+    """Return what to do about a drive or train: tried, or what the governing check states."""
+    judged = judge(result)
+    if not search or not judged.missed:
+        return stated_action(judged)
+    from wraparc.actions import find_action  # solves rows and trains: only where something is amiss
+
+    return find_action(result)
 
 
 def minimum_sentences(result: "DriveResult | TrainResult") -> Iterator[str]:
@@ -96,6 +104,8 @@ def under(own: Verdict, drive: Verdict) -> Verdict:
     level = max(own.level, drive.level, key=lambda of: of.rank)
     missed = second.level.rank > Level.OK.rank
     also = (Also(second.level, second.text, second.check), *second.also) if missed else ()
+    told = {_subject(check) for check in (first.check, *(o.check for o in first.also)) if check}
+    also = tuple(other for other in also if _subject(other.check) not in told)
     return replace(
         first,
         level=level,
@@ -104,10 +114,15 @@ def under(own: Verdict, drive: Verdict) -> Verdict:
         label=own.label or drive.label if level is Level.OK else "",
         action=first.action or second.action,
         also=(*first.also, *also),
-        wet=own.wet or drive.wet,
+        wet=drive.wet if own.check is None else own.wet,
         data=own.data or drive.data,
         judged=own.judged or drive.judged,
     )
+
+
+def _subject(check: Check | None) -> tuple[str, str]:
+    """Return what a check is of, wherever and whenever it is missed: said once."""
+    return ("", "") if check is None else (check.name, check.place.pulley)
 
 
 def level_of(result: "DriveResult | TrainResult", arc: ArcResult) -> Level:

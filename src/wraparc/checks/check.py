@@ -243,7 +243,7 @@ class Check:
         What could not be checked at one place stands before what passes at another.
         """
         unknown = self.level is Level.NOT_CHECKED
-        place = order_of(self.used, self.missed, kind_of(self.name))
+        place = order_of(self.used, self.missed, kind_of(self.name, self.level is Level.FAILS))
         return -(Level.OK.rank + 0.5 if unknown else self.level.rank), place
 
     def texts(self) -> tuple[str, str]:

@@ -89,8 +89,13 @@ def used_of(value: float, limit: float, at_most: bool) -> float:
     return limit / value if value > 0.0 else inf
 
 
-def kind_of(name: str) -> float:
-    """Return the place of a check among `KINDS`; what stands nowhere is one of the data."""
+def kind_of(name: str, fails: bool) -> float:
+    """Return the place of a check among `KINDS`; what stands nowhere is one of the data.
+
+    A creep that fails is one at which the belt slides.
+    """
+    if fails and name in ("creep", "uneven_creep"):
+        return KIND_OF["gross_slip"]
     return KIND_OF.get(name, KIND_OF["condition"])
 
 

@@ -422,7 +422,9 @@ def worst_of_rows(
 
 def _orders(check: RowCheck) -> Array:
     """Return the place of a check among those of its level, as `order_of` gives it."""
-    missed, kind = check.rank > Level.OK.rank, kind_of(check.rule.name)
+    missed, name = check.rank > Level.OK.rank, check.rule.name
+    fails = check.rank == Level.FAILS.rank
+    kind = np.where(fails, kind_of(name, True), kind_of(name, False))
     used = used_of_rows(check.margin, at_most=check.rule.at_most)
     shares = np.where(np.isfinite(used), np.minimum(used, MOST_USED), MOST_USED)
     alone = np.where(np.isfinite(used), -used, math.inf)

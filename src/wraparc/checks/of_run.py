@@ -267,7 +267,9 @@ def _end(run: RunResult) -> Iterator[Check]:
         if run.outcome is Outcome.CANCELLED
         else "Give the pulley a backstop or brake."
         if run.outcome is Outcome.TURNED_BACK
-        else "Try a higher T2 or a slower start.",
+        else "Try a higher T2 or a slower start."
+        if run.event.moves
+        else "Try a higher T2.",
         label="not completed",
     )
 

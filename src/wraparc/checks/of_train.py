@@ -206,9 +206,11 @@ def check_opposing_drives(opposing: float, place: Place, division: Division) -> 
         noun="opposing drives",
         level=Level.ATTENTION if opposes else Level.OK,
         label="drives oppose" if opposes else "",
-        headline="Drives oppose each other by {opposing}" if opposes else "",
+        headline="Drives oppose each other by {value}" if opposes else "",
         action=action if opposes else "",
-        more={"opposing": Amount(opposing, "force")},
+        quantity="opposing_tension",
+        value=opposing if opposes else math.nan,
+        dimension="force",
         place=place,
     )
 

@@ -92,7 +92,7 @@ def _lines(
 
 def _explain(ax: Axes, rows: Sequence[EventRow]) -> None:
     """Say what the markers mean, and how many designs have none."""
-    for level, word in sorted({(row.level, row.word) for row in rows if not row.refused}):
+    for level, word in sorted({(row.level, row.label) for row in rows if not row.refused}):
         ax.plot([], [], _MARKERS.get(Level(level), "X"), color=GREY, label=word)
     refused = sum(row.refused for row in rows)
     if refused:

@@ -147,7 +147,8 @@ def _fitted(columns: list[list[str]], first_value: int, has_notes: bool, room: i
     ]
     order += [(last, _LEAST_NOTE)] if has_notes else []
     order += [(0, _LEAST_TITLE)]
-    order += [(i, max(1, _longest_word(columns[i]))) for i in range(last, -1, -1)]
+    words = [(i, max(1, _longest_word(column))) for i, column in enumerate(columns)]
+    order += [words[last], words[0], *reversed(words[1:])]
     excess = sum(widths) + _GAP * last - room
     for column, least in order:
         given = min(max(0, widths[column] - least), max(0, excess))

@@ -42,8 +42,8 @@ _COLUMNS = (
     ("friction_energy", "friction work", "J"),
     ("pulsates", "pulsates at", "Hz"),
     ("level", "worst check", ""),
-    ("word", "verdict", ""),
-    ("said", "said", ""),
+    ("label", "verdict", ""),
+    ("text", "text", ""),
 )
 NAMES, _TITLES, UNITS = zip(*_COLUMNS, strict=True)
 HEADS = tuple(f"{t} [{u}]" if u else t for t, u in zip(_TITLES, UNITS, strict=True))

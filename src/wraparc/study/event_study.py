@@ -101,8 +101,8 @@ class EventRow:
         Friction work on all laggings [J].
     pulsates
         Frequency of a vibration that grows by itself [Hz], 0 where none does.
-    level, word, said
-        The worst check, the word of the verdict, and its sentence or why the design was refused.
+    level, label, text
+        The worst check, the label of the verdict, and its sentence or why the design was refused.
     """
 
     values: tuple[str, ...]
@@ -113,8 +113,8 @@ class EventRow:
     friction_energy: float = math.nan
     pulsates: float = math.nan
     level: str = REFUSED
-    word: str = "refused"
-    said: str = ""
+    label: str = "refused"
+    text: str = ""
 
     @property
     def refused(self) -> bool:
@@ -218,7 +218,7 @@ def _followed(study: EventStudy, values: tuple[str, ...]) -> EventRow:
         run = simulate(motion.station, motion.event(study.event), points=study.points)
         root = Linear.of(motion.station).rightmost
     except InputError as error:
-        return EventRow(values, said=str(error))
+        return EventRow(values, text=str(error))
     return _row(values, run, root)
 
 
@@ -236,6 +236,6 @@ def _row(values: Sequence[str], run: RunResult, root: complex) -> EventRow:
         friction_energy=math.fsum(d.friction_energy for d in run),
         pulsates=abs(root.imag) / (2.0 * math.pi) if root.real > CALM else 0.0,
         level=str(verdict.level),
-        word=verdict.label,
-        said=in_units(verdict.text),
+        label=verdict.label,
+        text=in_units(verdict.text),
     )

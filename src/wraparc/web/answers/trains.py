@@ -96,7 +96,10 @@ def train(asked: TrainRequest) -> TrainAnswer:
 
 def train_part(result: TrainResult, *, search: bool = True) -> TrainPart:
     """Return what a solved train has to say beside its arcs."""
-    told = {**plain(train_document(result)), **sheet(train_sheet(result, search=search))}
+    told = {
+        **plain(train_document(result, search=search)),
+        **sheet(train_sheet(result, search=search)),
+    }
     return TrainPart(**told, sources=[Source(**s) for s in sources_of(result.drive_result().drive)])
 
 
