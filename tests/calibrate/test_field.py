@@ -243,7 +243,7 @@ def test_an_alarm_below_what_a_load_case_shows_is_no_ok() -> None:
     asked = ("field", example("uphill-conveyor"), *COVERS, "--set", "creep_limit=6.2 mm")
     ran, seen = wraparc(*asked, "--full"), wraparc(*asked, "--json", "-").json["shown"]
     assert seen["healthy"]["start"]["exit"] > seen["alarm"] > seen["healthy"]["full"]["exit"]
-    assert "ATTENTION A healthy drive shows at most" in ran.words
+    assert "ATTENTION Speed difference 0.7" in ran.words
     assert "set each load case's own level, that of its creep limit" in ran.words
     assert "At the creep limit, empty -0.857 %" in ran.words
     assert "At the creep limit, start -0.726 %" in ran.words
@@ -264,7 +264,8 @@ def test_a_brake_is_told_by_the_load_cases_that_brake(covers: tuple[str, ...]) -
     assert "alarms at once" not in ran.words
     assert "own level" not in ran.words
     if not covers:
-        assert "A healthy drive shows at least -0.572 % between drum and belt" in ran.words
+        levels = "alarm -0.714 %, trip -1.43 % (tail)."
+        assert f"ATTENTION Normal speed difference down to -0.572 %; {levels}" in ran.words
         assert "Healthy, at most -0.572 % 0.842 %" in ran.words
 
 

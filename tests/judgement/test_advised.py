@@ -65,14 +65,17 @@ def followed(of: Drive) -> None:
     result = solve(of, raise_on_failure=False)
     told, found = shown(verdict(result), "si"), least_tension(result)
     assert found is not None
-    least = re.search(r"Minimum T[12] (\S+ \S+) \(", " ".join(told.sentences))
+    least = re.search(
+        r"Minimum (?:slack-side tension )?T[12] (\S+ \S+) \(", " ".join(told.sentences)
+    )
     if least is None:
         assert "No T2 " in " ".join(told.sentences)
         return
     raised = with_slack(of, printed(least[1]))
     table = shown(least_table(result), "si")
     assert table is not None
-    most = min(printed(r.values[0]) for r in table.rows if r.title.endswith("at most"))
+    texts = [row.values[0] for row in table.rows]
+    most = min(printed(text[len("max ") :]) for text in texts if text.startswith("max "))
     assert missed(raised) - FROM_ABOVE == set()
     if printed(least[1]) <= most:
         assert not missed(raised) & {"belt_tension", "tested_pressure_max", "face_pressure"}
@@ -92,7 +95,9 @@ def followed_what_if(of: Drive) -> None:
     sheet = shown(what_if_sheet(what_if(of, "head", case, changes), ""), "si")
     rows: dict[str, Row] = {row.title: row for row in sheet.tables[0].rows}
     for place, whole in enumerate((of, *(change.drive for change in changes))):
-        text = rows["Least slack-side tension"].values[place]
+        (text,) = (
+            row.values[place] for title, row in rows.items() if title.startswith("Minimum T")
+        )
         assert isinstance(whole, Drive)
         standards = (row for title, row in rows.items() if title.startswith("The same by"))
         standard = next(standards, None)

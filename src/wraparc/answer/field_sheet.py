@@ -8,7 +8,7 @@ from wraparc.answer.checks_table import verdict_document
 from wraparc.answer.sheet import NONE, Row, Sheet, Table, Verdict, percent, quantity
 from wraparc.answer.words import format_verdict, stated_action, under
 from wraparc.calibrate.field_numbers import TRIP_RULES, FieldNumbers
-from wraparc.checks import Level
+from wraparc.checks import Level, Place
 from wraparc.checks import Verdict as Judgement
 from wraparc.checks.action import Action
 from wraparc.checks.of_arc import COVER_UNKNOWN
@@ -60,17 +60,16 @@ def field_sheet(
     return Sheet(
         title=title,
         subtitle=f"Pulley {pulley}: numbers to measure and to set.",
-        verdict=_verdict(found, judged),
+        verdict=_verdict(found, judged, pulley),
         tables=(speeds, _levels(found), *_wear(found, wear_source)),
         remarks=tuple(_remarks(found)),
         sources=tuple(f"{rule.name}: {rule.source}" for rule in TRIP_RULES),
     )
 
 
-def _verdict(found: FieldNumbers, judged: Judgement) -> Verdict:
+def _verdict(found: FieldNumbers, judged: Judgement, pulley: str) -> Verdict:
     worst = found.worst
     at_once, again = [*_at_once(found, worst)], _circumference(found)
-    who = "A healthy drive" if found.alarm > worst else "The drive as described"
     # no level that a tachometer pair is set by is an OK without the thickness of the belt
     surface = () if found.shown else (surface_sentence(found.diameter),)
     covered = tuple(_covered(found))
@@ -78,16 +77,27 @@ def _verdict(found: FieldNumbers, judged: Judgement) -> Verdict:
     more = (*at_once, *surface, *covered)
     own = Verdict(
         Level.ATTENTION if doubt else Level.OK,
-        f"{who} shows at {'most' if found.side > 0.0 else 'least'} "
-        f"{percent(found.worst_seen)} between {'shaft' if found.shown else 'pulley'} and belt; "
-        f"alarm {percent(found.seen(found.alarm, 0.0))}, trip "
-        f"{percent(found.seen(found.trip, 0.0))}.",
+        _levels_sentence(found, pulley),
         (*more, *_rules(found, worst), again),
         action=None if found.shown else Action(COVERS),
         kept=(*more, again),
         name="field",
     )
     return under(own, format_verdict(judged, judged.full, stated_action(judged)))
+
+
+def _levels_sentence(found: FieldNumbers, pulley: str) -> str:
+    """Say the normal speed difference with its levels, or that it is beyond the alarm."""
+    forward, seen = found.side > 0.0, found.worst_seen
+    alarm, trip = (percent(found.seen(level, 0.0)) for level in (found.alarm, found.trip))
+    if found.alarms_at(seen):
+        relation = "exceeds" if forward else "is below"
+        place = Place(pulley, found.worst_case).bracket
+        return f"Speed difference {percent(seen)} {relation} the {alarm} alarm level{place}."
+    bound = "up to" if forward else "down to"
+    return (
+        f"Normal speed difference {bound} {percent(seen)}; alarm {alarm}, trip {trip} ({pulley})."
+    )
 
 
 def _circumference(found: FieldNumbers) -> str:

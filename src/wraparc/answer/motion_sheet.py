@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import asdict, replace
 from functools import lru_cache
 from typing import Any
@@ -242,33 +242,67 @@ def _verdict(result: StabilityResult, own: ControlAnswer) -> Verdict:
     ways = " and ".join(dict.fromkeys(d.control.words for d in station.drums))
     said = named("exit_creep", run_out)
     cure = "None of the usual ways to drive it is calmer."
-    action = "None of the usual ways to drive it cures that."
     if calmest is not None and calmest is not own:
-        action = f"Drive it another way: {calmest.name} is the calmest of the usual ones."
         cure = (
-            f"Of the usual ways to drive it, {calmest.name} is the calmest: "
-            f"{percent(calmest.pull * run_out, 2)} of the pull at one wave a turn, "
+            f"Of the usual ways to drive it, {calmest.name} has the smallest ripple: "
+            f"{percent(calmest.pull * run_out, 2)} of Te at one wave per revolution, "
             f"{percent(calmest.pull_third * run_out, 2)} at three; {_cost(calmest)}."
         )
-    turn = result.linear.duties[-1].speed / (2.0 * math.pi)
+    duty = result.linear.duties[-1]
+    turn, last = duty.speed / (2.0 * math.pi), station.names[-1]
+    ripple, waves = max((amplitude, 1.0), (own.pull_third * run_out, 3.0))
     forced = (
-        f"A run-out of {said} of the last drum makes its pull swing by "
-        f"{percent(amplitude, 2)} at one wave a turn ({turn:.3g} Hz) and "
-        f"{percent(own.pull_third * run_out, 2)} at three ({3.0 * turn:.3g} Hz)."
+        f"A run-out of {said} of {last} makes its Te ripple by {percent(amplitude, 2)} at one wave "
+        f"per revolution ({turn:.3g} Hz) and {percent(own.pull_third * run_out, 2)} at three "
+        f"({3.0 * turn:.3g} Hz), with {ways}."
     )
+    kept = (*_why(result), cure, forced)
     if not result.stable:
         double = math.log(2.0) / result.root.real
-        headline = (
-            f"Yes, it pulsates by itself: with {ways} a vibration of {result.frequency:.3g} Hz "
-            f"doubles every {quantity(double, 'time', 2)}."
+        text = (
+            f"Self-excited oscillation at {result.frequency:.3g} Hz, doubling time "
+            f"{quantity(double, 'time', 2)}."
         )
-        said_of = (*_why(result), cure, forced)
-        return Verdict(Level.FAILS, headline, said_of, action=Action(action), name="stability")
-    calm = amplitude <= _CALM and own.pull_third * run_out <= _CALM
-    headline = f"No, it does not pulsate by itself with {ways}"
-    headline += "." if calm else f", but it passes errors of the drums on as force. {forced}"
-    told = [*_why(result), *([forced] if calm else []), cure]
-    return Verdict(Level.OK if calm else Level.ATTENTION, headline, tuple(told))
+        action = _calm_action(result, others, any_stable=True)
+        return Verdict(Level.FAILS, text, kept, action=action, name="stability")
+    place = f"({last}, {said} run-out, {waves * turn:.3g} Hz)"
+    if ripple <= _CALM:
+        text = f"Stable: Te ripple {percent(ripple, 2)} of {percent(_CALM)} {place}."
+        return Verdict(Level.OK, text, kept, name="stability")
+    shown = percent(ripple, 5 if percent(ripple, 2) == percent(_CALM, 2) else 2)
+    text = f"Te ripple {shown} exceeds the {percent(_CALM)} limit {place}."
+    action = _calm_action(result, others)
+    return Verdict(Level.ATTENTION, text, kept, action=action, name="stability")
+
+
+def _calm_action(
+    result: StabilityResult, ways: Sequence[ControlAnswer], *, any_stable: bool = False
+) -> Action | None:
+    """Return the way to drive it that passes at the lowest loss; none where none passes.
+
+    Parameters
+    ----------
+    result
+        What was asked.
+    ways
+        Those that are stable.
+    any_stable
+        Whether a ripple over its limit is taken where no way is below it.
+    """
+
+    def ripple(way: ControlAnswer) -> float:
+        return max(way.pull, way.pull_third) * result.run_out
+
+    passing = [way for way in ways if ripple(way) <= _CALM]
+    if not passing and any_stable and ways:
+        passing = [least(ways, ripple)]
+    if not passing:
+        return Action("Try a drum with less run-out: none of the usual controls passes.")
+    best = min(passing, key=lambda way: (round(way.power_loss, 6), ripple(way)))
+    loss = (
+        "no power loss" if best.power_loss < 1e-6 else f"{percent(best.power_loss, 2)} power loss"
+    )
+    return Action(f"Use {best.name}: ripple {percent(ripple(best), 2)}, {loss}.")
 
 
 def _why(result: StabilityResult) -> Iterator[str]:

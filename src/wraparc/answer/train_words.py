@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from math import floor, isfinite, isnan, log10
+from math import floor, isfinite, isnan, log10, nan
 
 from wraparc.answer.sheet import Verdict, named, percent
 from wraparc.answer.words import (
@@ -12,7 +12,8 @@ from wraparc.answer.words import (
     stated_action,
     under,
 )
-from wraparc.checks import Level, idle, judge
+from wraparc.checks import Level, Place, idle, judge
+from wraparc.checks.action import Action
 from wraparc.checks.numbers import pull_against
 from wraparc.glossary import GLOSSARY
 from wraparc.train import (
@@ -227,48 +228,67 @@ def _matching(case: CaseResult, cases: Sequence[CaseResult]) -> Iterator[str]:
 def matching_verdict(result: TrainResult, matching: Matching) -> Verdict:
     """Return how exactly the drives of a train must be matched, under the verdict on it."""
     case, drive = matching.case, matching.drive
-    name = case.members[drive].name
-    what = GLOSSARY[matching.trim.quantity].title.lower()
-    headline = f"{name} carries {percent(case.members[drive].share)} of load case {case.case.name}"
-    if not case.case.on_motors and matching.equal.status.solved:
-        headline = f"{_to_set(matching, name)}: {headline}"
-    slope = _steepest(case, result.cases, drive)
-    if slope > 0.0:
-        headline += (
-            f"; 0.1 % of {what} moves {percent(slope, 2)} of the load, so hold it within "
-            f"{_needed(slope)} % for a share within {percent(_TOLERATED)}"
+    member, fair = case.members[drive], 1.0 / len(case.members)
+    place = Place(member.name, case.case.name).bracket
+    equal = abs(member.share - fair) < _ALIKE
+    level, text = Level.OK, f"Equal load sharing{place}."
+    if equal and not case.case.on_motors:
+        text = f"Equal load sharing at trim {_trim(member.speed_trim)}{place}."
+    elif not equal:
+        level = Level.ATTENTION
+        text = (
+            f"Load share of {member.name} is {percent(member.share)}, equal share {percent(fair)} "
+            f"({case.case.name})."
         )
     judged = judge(result)
+    what = GLOSSARY[matching.trim.quantity].title.lower()
     load, losses = [*_against_load(matching.load)], [*_losses(matching)]
     sentences = [
         *_who_and_why(matching),
         *surface_speeds(case),
-        *_range(matching.trim, name, what.split()[-1]),
+        *_range(matching.trim, member.name, what.split()[-1]),
         *load,
         *_changes(matching),
         *losses,
     ]
-    kept = (*load, *losses)
-    own = Verdict(Level.OK, f"{headline}.", tuple(sentences), kept=kept, name="trim")
+    action = _setting(result, matching, equal)
+    own = Verdict(
+        level, text, tuple(sentences), kept=(*load, *losses), name="trim",
+        action=Action(action) if action else None,
+    )  # fmt: skip
     return under(own, format_verdict(judged, judged.full, stated_action(judged)))
 
 
-def _to_set(matching: Matching, name: str) -> str:
-    """Say what trim to set for equal shares, or that it is set."""
-    now, even = (c.members[matching.drive].speed_trim for c in (matching.case, matching.equal))
-    (_, before), (share, after) = _largest_creep(matching.case), _largest_creep(matching.equal)
-    if share > 1.0 and after > (1.0 + _ALIKE) * before:
+def _trim(ratio: float) -> str:
+    return f"{100.0 * ratio:.3f} %"
+
+
+def _setting(result: TrainResult, matching: Matching, equal: bool) -> str:
+    """Return what to set for equal shares, and within what; empty where nothing is known."""
+    case, drive = matching.case, matching.drive
+    slope = _steepest(case, result.cases, drive)
+    within = f"±{percent(_TOLERATED)} load share"
+    span = f" ± {_needed(slope)} %" if slope > 0.0 else ""
+    if case.case.on_motors:
+        change = nan if equal else _motor_change(matching)
+        if isnan(change):
+            return f"Keep speeds within {_needed(slope)} % for {within}." if span and equal else ""
+        way = "faster" if change > 0.0 else "slower"
+        return f"Set the motor of {case.members[drive].name} {abs(change):.2f} % {way}."
+    if not matching.equal.status.solved:
+        return ""
+    now, even = (of.members[drive].speed_trim for of in (case, matching.equal))
+    (_, before), (share, after) = _largest_creep(case), _largest_creep(matching.equal)
+    if not equal and share > 1.0 and after > (1.0 + _ALIKE) * before:
         return (
-            f"{name} equalises the load at a trim of {100.0 * even:.3f} %, but the largest creep "
-            f"then rises from {named('exit_creep', before)} to {named('exit_creep', after)}, over "
-            f"its limit; now it is at {100.0 * now:.3f} %"
+            f"Keep trim {_trim(now)}: equal sharing at {_trim(even)} raises creep from "
+            f"{named('exit_creep', before)} to {named('exit_creep', after)}."
         )
     if abs(now - even) < _AS_FAST:
-        return f"Keep {name} at a trim of {100.0 * even:.3f} %, which equalises the load"
-    return (
-        f"Set {name} to a trim of {100.0 * even:.3f} %, which equalises the load, in the place of "
-        f"{100.0 * now:.3f} %"
-    )
+        if not span:
+            return f"Keep trim {_trim(even)}."
+        return f"Set trim to {100.0 * even:.3f}{span} for {within}."
+    return f"Set trim from {_trim(now)} to {_trim(even)}."
 
 
 def _largest_creep(case: CaseResult) -> tuple[float, float]:
@@ -328,12 +348,17 @@ def _who_and_why(matching: Matching) -> Iterator[str]:
 
 def _other_setting(matching: Matching) -> str:
     """Say what change of a motor makes the share of its drive equal, if one on the curve does."""
-    found = matching.trim.at(MarkKind.EQUAL, matching.drive)
-    if not found:
+    change = _motor_change(matching)
+    if isnan(change):
         return ""
-    change = 100.0 * (min(found, key=lambda v: abs(v - 1.0)) - 1.0)
     way = "faster" if change > 0.0 else "slower"
     return f": a motor set {abs(change):.2f} % {way} would equalise it"
+
+
+def _motor_change(matching: Matching) -> float:
+    """Return the change of a motor's speed that makes the share of its drive equal [%], or nan."""
+    speeds = matching.trim.at(MarkKind.EQUAL, matching.drive)
+    return 100.0 * (min(speeds, key=lambda v: abs(v - 1.0)) - 1.0) if speeds else nan
 
 
 def _lower(sentence: str) -> str:

@@ -117,6 +117,12 @@ class FieldNumbers:
         seen = self.healthy if self.shown is None else self.shown
         return self.side * max(self.side * ratio for pair in seen.values() for ratio in pair)
 
+    @property
+    def worst_case(self) -> str:
+        """Name of the load case of `worst_seen`."""
+        seen = self.healthy if self.shown is None else self.shown
+        return max(seen, key=lambda name: max(self.side * ratio for ratio in seen[name]))
+
     def alarms_at(self, seen: float) -> bool:
         """Whether a ratio is beyond the alarm, more than rounding makes [-]."""
         return self.side * (seen - self.seen(self.alarm, 0.0)) > 1e-12
