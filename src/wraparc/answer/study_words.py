@@ -24,7 +24,7 @@ _ENDS = (
     (Level.FAULT, "could not be solved"),
     (Level.FAILS, "fail"),
     (Level.ATTENTION, "need attention"),
-    (Level.OK, "keep every check that is made"),
+    (Level.OK, "pass every check that is made"),
 )
 #: What the limit of a result is called.
 LIMITS = dict.fromkeys(LEAST, "the margin") | {
@@ -52,34 +52,50 @@ def verdict(summary: Summary) -> Verdict:
     level = Level.ATTENTION if missed or judged.total < total else Level.OK
     if judged.share(Level.FAILS).count == total:
         level = Level.FAILS
-    over, what = summary.over_limit, "designs" if _cases(summary.data) == 1 else "rows"
-    beyond = _exceed("exit_creep", over.count, over.total, what, summary.creep_limit)
+    what = "designs" if _cases(summary.data) == 1 else "rows"
     unanswered = sum(counts[word] for word, _ in _NO_ANSWER)
     lost = ((counts["breakaway"], "in gross slip"), (unanswered, "without an answer"))
-    sentences = [f"{counts['solved']:,} carry their load, {counts['breakaway']:,} break away."]
+    sentences = [f"{started(_ends(summary))}{_among(lost)}."]
     for word, why in _NO_ANSWER:
         if counts[word]:
             sentences.append(f"{counts[word]:,} {what} have no answer: {why}.")
-    leads = ""
     if missed:
         name, most = next(iter(missed.items()))
         of = part(most, sum(missed.values())) if len(missed) > 1 else "all"
         governs = f"{started(RULES[name].what)} governs {of} of those that fail or need attention."
-        if name == "creep":  # the first words are of it
-            sentences.append(governs)
-        else:
-            leads = f" {governs}"
+        sentences.append(governs)
     left = summary.data.get("not_checked", ())
     ground = summary.data.get("ground", "") if level is Level.OK else ""
     if left:
         sentences.append(f"Rows leave out {' and '.join(left)}, which `wraparc solve` checks.")
     if level is Level.OK:
         ground = ground or ", ".join(f"without {what}" for what in left)
+    label = f"{level}, {ground}" if ground else ""
+    return Verdict(level, _sentence(summary, level, what), tuple(sentences), label, name="study")
+
+
+def _sentence(summary: Summary, level: Level, what: str) -> str:
+    """Say in one sentence how many designs pass, or miss which limit."""
+    over, total, missed = summary.over_limit, sum(summary.counts.values()), summary.judged.missed
+    if level is Level.OK:
+        return f"All {total:,} {what} pass."
+    governing = RULES[next(iter(missed))].what if missed else ""
+    if level is Level.FAILS:
+        return f"All {total:,} {what} fail{f'; governing: {governing}' if missed else ''}."
     weighted = _weighted(summary, lambda group: group.over_limit.value)
-    if not math.isnan(weighted):
-        beyond = _over_time(weighted, summary, what)
-    headline = f"{beyond}{_among(lost)}; {_ends(summary)}.{leads}"
-    return Verdict(level, headline, tuple(sentences), f"{level}, {ground}" if ground else "")
+    if over.count and not math.isnan(weighted):
+        return f"{_over_time(weighted, summary, what)}."
+    if over.count:
+        beyond = _exceed("exit_creep", over.count, over.total, what, summary.creep_limit)
+        return f"{beyond}."
+    if not missed:
+        return (
+            f"{started(part(total - summary.judged.total, total))} of {total:,} {what} not judged."
+        )
+    count = sum(missed.values())
+    return (
+        f"{started(part(count, total))} of {total:,} {what} miss a check; governing: {governing}."
+    )
 
 
 def _ends(summary: Summary) -> str:
@@ -118,7 +134,7 @@ def _over_time(share: float, summary: Summary, what: str) -> str:
     count = 0 if share <= 0.0 else total if share >= 1.0 else 1  # for none, all and the verb
     text = _exceed("exit_creep", count, total, what, summary.creep_limit)
     rest = text.partition(f" of {total:,} ")[2]
-    weighted = "each condition by its share of the time"
+    weighted = "weighted by time"
     return f"{started(_of_time(share))} of {total:,} {rest}, {weighted}"
 
 
