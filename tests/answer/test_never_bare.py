@@ -1,4 +1,4 @@
-"""An OK that stands on illustrative data says so in the headline of every command that judges."""
+"""An OK that stands on illustrative data says so in the data line of every command that judges."""
 
 import re
 from pathlib import Path
@@ -19,7 +19,8 @@ def test_an_ok_names_its_data(command: tuple[str, ...]) -> None:
     of = example("downhill-braking") if command[0] == "field" else UPHILL
     ran = wraparc(command[0], of, *command[1:])
     assert ran.code == 0, ran.err
-    assert re.search(r"OK, on illustrative data", ran.words)
+    assert re.search(r" OK .* Data Friction, block", ran.words)
+    assert "illustrative" in ran.words.partition(" Data ")[2]
 
 
 def test_a_choice_names_the_data_of_its_lagging(tmp_path: Path) -> None:
@@ -31,7 +32,7 @@ def test_a_choice_names_the_data_of_its_lagging(tmp_path: Path) -> None:
     (tmp_path / "choose.toml").write_text(text, "utf-8")
     ran = wraparc("choose", tmp_path / "choose.toml")
     assert ran.code == 0, ran.err
-    assert "OK, on illustrative data Choose" in ran.words
+    assert re.search(r" OK Lowest cost: full-ceramic.* Data .*illustrative", ran.words)
 
 
 def test_a_thinner_lagging_is_compressed_less_on_a_brake_too() -> None:

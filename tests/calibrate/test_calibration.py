@@ -191,7 +191,7 @@ def test_the_published_pair(tmp_path: Path) -> None:
     out = tmp_path / "lagging.toml"
     ran = wraparc("calibrate", EXAMPLES / "test-pulley" / "published-pair.toml", "-o", out)
     assert ran.code == 0, ran.err
-    assert "Both parameters are identified from 2 measured values." in ran.words
+    assert "2 parameters identified: friction factor 0.787, G 1970 kPa." in ran.words
     assert "agreement proves nothing" in ran.words
     lagging = load_lagging(out)
     assert lagging.provenance.kind is Kind.CALIBRATED
@@ -339,9 +339,9 @@ def test_a_drive_that_does_not_follow_the_record_is_no_ok(tmp_path: Path) -> Non
             text.replace('exit_tension = "50 kN"', 'exit_tension = "1 kN"')
         )
     _, good, _ = wraparc("calibrate", str(folder / "wet-day-record.toml"))
-    assert "OK  The parameter is identified" in good
+    assert "OK  1 parameter identified: friction factor" in good
     ran = wraparc("calibrate", str(tmp_path / "wet-day-record.toml"))
-    assert "ATTENTION The drive does not follow what was measured." in ran.words
+    assert "ATTENTION Drive deviates from " in ran.words
     assert (
         "Shear angle of the lagging along the arc, design: the best fit misses it by" in ran.words
     )

@@ -300,5 +300,5 @@ def test_the_sheet_of_a_search_without_a_good_design_names_the_closest() -> None
     told = shown(choose_sheet(found), "si").verdict
     assert told is not None
     assert told.level is Level.FAILS
-    assert told.headline.startswith("No candidate passes. Add candidates against what most miss,")
+    assert told.text.startswith("No candidate passes. Closest: ")
     assert "the creep limit" in " ".join(told.sentences)

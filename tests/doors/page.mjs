@@ -30,7 +30,7 @@ function judged({ document: doc, book }) {
   if (!numbers) return { problems: [{ sentence: "no answer", beyond: true }] };
   const found = judge(judging, doc, numbers);
   const { verdict } = found;
-  const { level, headline } = verdictOf(found);
+  const { level, text } = verdictOf(found);
   const worst = verdict.governing;
   const of = worst && {
     name: worst.name,
@@ -43,7 +43,7 @@ function judged({ document: doc, book }) {
     const here = verdict.at(pulley, load_case);
     return { load_case, pulley, level: here.level, name: here.governing?.name ?? "", numbers: own };
   });
-  return { verdict: { level, text: words(headline), ...of }, arcs };
+  return { verdict: { level, text: words(text), ...of }, arcs };
 }
 /** What the file answers; it is opened anew for each drive. */
 async function answered({ document: doc, data }, number) {
@@ -54,7 +54,7 @@ async function answered({ document: doc, data }, number) {
     app.catalogue = await ask("catalogue");
     const { verdict, arcs } = await ask("solve", { document: doc });
     return {
-      verdict: { level: verdict.level, text: words(verdict.headline) },
+      verdict: { level: verdict.level, text: words(verdict.text) },
       arcs: arcs.map(({ load_case, pulley, level, numbers }) => ({
         ...{ load_case, pulley, level, name: null, numbers },
       })),

@@ -18,7 +18,7 @@ Data = dict[str, Any]
 def verdict_of(verdict: Verdict) -> Data:
     """Return the verdict that the library finds."""
     worst = verdict.governing
-    told = {"level": str(verdict.level), "text": verdict.headline()}
+    told = {"level": str(verdict.level), "text": in_units(verdict.text)}
     if worst is None:
         return told
     place = {"pulley": worst.place.pulley, "load_case": worst.place.load_case}
@@ -28,7 +28,7 @@ def verdict_of(verdict: Verdict) -> Data:
 def sentence_of(verdict: Verdict) -> str:
     """Return what is not kept, as a sentence that other commands tell too; else nothing."""
     worst = verdict.governing
-    return plain(in_units(worst.reason)) if worst is not None and worst.missed else ""
+    return plain(in_units(verdict.text)) if worst is not None and worst.missed else ""
 
 
 def plain(text: str) -> str:
@@ -37,23 +37,20 @@ def plain(text: str) -> str:
 
 def of_json(data: Data) -> Data:
     """Return the verdict of the JSON of ``solve``."""
-    made = {"level": data["level"], "text": data["headline"]}
-    if (worst := data["governing"]) is not None:
-        made |= {key: worst[key] for key in ("name", "pulley", "load_case")}
-        made |= {key: number(worst[key]) for key in ("value", "limit")}
-    return made
+    made = {"level": data["level"], "text": data["text"], "name": data["name"]}
+    place = data["place"] or {}
+    made |= {key: place.get(key) or "" for key in ("pulley", "load_case")}
+    return made | {key: number(data[key]) for key in ("value", "limit")}
 
 
 def of_api(data: Data) -> Data:
     """Return the verdict of the JSON of the server."""
-    return {"level": data["level"], "text": worded(data["headline"])}
+    return {"level": data["level"], "text": worded(data["text"])}
 
 
 def of_screen(out: str, verdict: Verdict) -> Data:
     """Return the text that a screen begins with, that of the library where it begins so."""
-    worst = verdict.governing
-    first = worst.reason if worst and worst.missed else verdict.lead
-    begins = plain(in_units(first)) in plain(out)
+    begins = plain(in_units(verdict.text)) in plain(out)
     return {} if begins else {"text": out[:300]}
 
 
@@ -69,7 +66,7 @@ def beside(data: Data, verdict: Verdict, *, level: bool = True) -> Data:
     level
         Whether the level of the answer is that of the drive alone.
     """
-    texts = [data["headline"], *data["sentences"], data.get("action", "")]
+    texts = [data["text"], *(other["text"] for other in data["also"])]
     told, own = plain(" ".join(map(worded, texts))), sentence_of(verdict)
     made: Data = {"level": data["level"]} if level else {}
     return made if own in told else made | {"text": told}
@@ -77,9 +74,9 @@ def beside(data: Data, verdict: Verdict, *, level: bool = True) -> Data:
 
 def of_report(text: str, verdict: Verdict) -> Data:
     """Return the verdict that a calculation report in Markdown leads with."""
-    word, _, rest = text.partition("**")[2].partition(".**")
+    word, _, rest = text.partition("- **")[2].partition("**")
     level = next((w for w in ("OK",) if word.startswith(w)), word)
-    told = plain(rest.partition("\n\n")[0].replace("\\", ""))
+    told = plain(rest.partition("\n- **")[0].replace("\\", ""))
     return {"level": level} if sentence_of(verdict) in told else {"level": level, "text": told}
 
 

@@ -209,7 +209,7 @@ def test_a_remainder_is_judged_by_noise_and_by_size() -> None:
     """A wave of 1.5 % under noise of 0.1 % stood under "within their noise" once."""
     plan, records = scattered(seed=1, repeats=1, pressures=[207e3], points=1500, noise=0.001)
     quiet = fitted(plan, records)
-    assert "noise levels" in told_in(verdict(quiet), "si").headline
+    assert "noise levels" in told_in(verdict(quiet), "si").sentences[0]
     record = records["p0r0"]
     wave = 1.0 + 0.04 * np.sin(record.travel / record.travel[-1] * 20.0)
     records["p0r0"] = replace(record, force=record.force * wave)

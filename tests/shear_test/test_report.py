@@ -84,7 +84,7 @@ def test_what_was_left_out_comes_first(sheet: Sheet) -> None:
     assert "holds the same data as test[9]" in sheet.tables[0].rows[0].title
     assert sheet.verdict is not None
     assert sheet.verdict.level is Level.ATTENTION
-    assert sheet.verdict.headline.startswith("1 of 10 tests could not be used")
+    assert sheet.verdict.text.startswith("1 of 10 tests could not be used")
 
 
 def test_files_and_circumstances(sheet: Sheet) -> None:

@@ -241,7 +241,7 @@ def test_one_remark_is_one(result: PlanResult) -> None:
     one = replace(result, conditions=(replace(condition, misfit=("p0r0: rises twice",)),))
     verdict = shown(plan_sheet(one), "si").verdict
     assert verdict is not None
-    assert verdict.headline == "The law does not describe everything: 1 remark."
+    assert verdict.text == "Fit rejected: the law deviates from its tests (1 remark)."
 
 
 def test_the_line_of_two_noise_levels_is_named() -> None:

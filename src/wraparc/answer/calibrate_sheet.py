@@ -12,6 +12,7 @@ from wraparc.calibrate.calibration import FAR, Calibration, Estimate, Number, Pr
 from wraparc.calibrate.fold import Folded
 from wraparc.calibrate.problem import OPEN_ZERO, predicted_number
 from wraparc.checks import Level
+from wraparc.checks.action import Action
 from wraparc.checks.of_arc import COVER_UNKNOWN
 from wraparc.glossary import GLOSSARY
 from wraparc.train.turning import surface_sentence
@@ -96,29 +97,34 @@ def _row(e: Estimate) -> Row:
 def _verdict(found: Calibration, problem: Problemset) -> Verdict:
     apart, covered = tuple(_apart(found, problem)), tuple(_covered(found, outside=True))
     untold = [e.name for e in found.estimates if e.value is None]
-    if not untold:
-        headline = (
-            f"{'Both' if len(found.estimates) == 2 else f'All {len(found.estimates)}'} parameters "
-            f"are identified from {found.data} measured values."
+    more = (*apart, *covered, *_mixed_words(found))
+    if untold:
+        names = ", ".join(n.replace("_", " ") for n in untold)
+        action = Action("Give a prior, fix some parameters, or measure another quantity.")
+        return Verdict(
+            Level.ATTENTION, f"Not identified: {names}.", more, action=action, name="calibrate"
         )
-        if len(found.estimates) == 1:
-            headline = f"The parameter is identified from {found.data} measured values."
-        if apart:
-            headline = f"The drive does not follow what was measured. {headline}"
-        level = Level.ATTENTION if apart or covered else Level.OK
-        return Verdict(level, headline, (*apart, *covered, *_mixed_words(found)))
-    names = ", ".join(n.replace("_", " ") for n in untold)
-    return Verdict(
-        Level.ATTENTION,
-        f"The data do not identify {names}; no value is given.",
-        (
-            *apart,
-            *covered,
-            *_mixed_words(found),
-            "Keep some of them at the values of the drive file, measure something that separates "
-            "them, or give a prior.",
-        ),
-    )
+    count = len(found.estimates)
+    text = f"{count} parameter{'s' if count > 1 else ''} identified"
+    if count <= _NAMED:
+        text += f": {', '.join(_estimate_text(e) for e in found.estimates)}"
+    if apart:
+        text = f"Drive deviates from {len(apart)} of {found.data} measured values; {text}"
+    level = Level.ATTENTION if apart or covered else Level.OK
+    return Verdict(level, f"{text}.", more, name="calibrate")
+
+
+#: Parameters that the sentence names, at most, and their words in it.
+_NAMED = 2
+_WORDS = {
+    "friction": "friction factor", "peak_slip": "peak slip factor", "shear_modulus": "G",
+    "overrun": "overrun", "belt_modulus": "belt modulus",
+}  # fmt: skip
+
+
+def _estimate_text(estimate: Estimate) -> str:
+    """Return a parameter with its value, ``friction factor 0.787``."""
+    return f"{_WORDS[estimate.name]} {_row(estimate).values[0]}"
 
 
 def _apart(found: Calibration, problem: Problemset) -> Iterator[str]:

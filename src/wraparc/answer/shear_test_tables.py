@@ -16,7 +16,7 @@ from wraparc.answer.shear_test_files import (
 from wraparc.answer.shear_test_head import circumstances_table
 from wraparc.answer.shear_test_numbers import number, slope, with_error
 from wraparc.answer.shear_test_standard import laws_table, standard_tables
-from wraparc.answer.sheet import NONE, Row, Sheet, Table, Verdict
+from wraparc.answer.sheet import NONE, Also, Row, Sheet, Table, Verdict
 from wraparc.checks import Level
 from wraparc.friction import ab_from_peak
 from wraparc.shear_test.analysis import ConditionResult, PlanResult, TestResult
@@ -104,27 +104,35 @@ def verdict(result: PlanResult) -> Verdict:
     shown = tuple(_started(sentence) for sentence in misfit)
     if misfit and result.misfit_accepted:
         shown += (_started(f"Misfit accepted: {result.misfit_accepted}"),)
+    total = len(result.plan.used_tests)
     if result.left_out:
         count = len({problem.file for problem in result.left_out})
-        headline = f"{count} of {len(result.plan.used_tests)} tests could not be used"
-        if misfit:
-            headline += f", and the law does not describe all others ({counted(misfit)} below)"
-        return Verdict(Level.ATTENTION, headline + ".", shown)
+        text = f"{count} of {total} tests could not be used"
+        text += f"; the law deviates from others ({counted(misfit)})." if misfit else "."
+        return Verdict(Level.ATTENTION, text, shown, name="fit")
     if misfit:
-        headline = f"The law does not describe everything: {counted(misfit)}."
-        return Verdict(Level.ATTENTION, headline, shown)
+        text = f"Fit rejected: the law deviates from its tests ({counted(misfit)})."
+        return Verdict(Level.ATTENTION, text, shown, name="fit")
+    text = f"Fit accepted: {total} of {total} tests, largest deviation {_deviation(result)[0]}."
     unsure = any(NOT_STATED in condition.remarks for condition in result.conditions)
-    # What nobody could have noticed is no bare OK.
-    unless = ", if nothing wore meanwhile: their order is not stated" if unsure else ""
-    headline = f"The law describes the tests{unless}. {_remainders(result)}"
-    return Verdict(Level.OK, headline, (_started(NOT_STATED),) if unsure else ())
+    order = Also(Level.OK, "Test order missing: wear during the tests is not detectable.")
+    return Verdict(
+        Level.OK, text, (_remainders(result),), also=(order,) if unsure else (), name="fit"
+    )
+
+
+def _deviation(result: PlanResult) -> tuple[str, str]:
+    """Return the largest remainder of a single curve, of its friction and in noise levels."""
+    tests = [test for condition in result.conditions for test in condition.tests]
+    share = max(test.fit.remainder / _top(test) for test in tests)
+    levels = max(noise_levels(test.fit, test.curve) for test in tests)
+    return f"{100 * share:.1f} % of friction", f"{levels:.1f} noise levels"
 
 
 def _remainders(result: PlanResult) -> str:
     """Largest remainder of a single curve, by size and by noise, and the scatter of samples."""
     tests = [test for condition in result.conditions for test in condition.tests]
-    share = max(test.fit.remainder / _top(test) for test in tests)
-    levels = max(noise_levels(test.fit, test.curve) for test in tests)
+    deviation, levels = _deviation(result)
     scatters = [s for c in result.conditions if (s := c.found.scatter) is not None]
     told = scatters and not result.plan.digitised
     between = f"; {max(scatters, key=lambda s: s.value).words}" if told else ""
@@ -137,8 +145,8 @@ def _remainders(result: PlanResult) -> str:
         else ""
     )
     return (
-        f"No single curve is off its law by more than {100 * share:.1f} % of its friction "
-        f"({levels:.1f} noise levels){between}.{stick_slip}"
+        f"No single curve deviates from its law by more than {deviation} ({levels}){between}."
+        f"{stick_slip}"
     )
 
 
