@@ -76,8 +76,9 @@ def test_breakaway_of_a_law_that_never_falls() -> None:
 def test_breakaway_of_a_braking_pulley_speaks_of_its_own_side() -> None:
     result = solved(2e3, 150e3)
     told, c = told_in(verdict(result), "si"), result.arc("head").capacities
+    limit = 1 / c.creep_limit_capacity
     assert told.sentences[-1] == (
-        f"T1/T2 required: 0.0133; transmissible at the creep limit: {1 / c.creep_limit_capacity:.3f}."
+        f"T1/T2 required: 0.0133; transmissible at the creep limit: {limit:.3f}."
     )
     sentence = told_in(verdict(solved(70e3, 100e3)), "si").sentences[0]
     assert sentence.startswith("Minimum slack-side tension T1 ")

@@ -215,7 +215,7 @@ def test_an_absurd_fit_is_not_returned(tmp_path: Path) -> None:
         "--set", 'parameters=["friction", "peak_slip"]',
     )  # fmt: skip
     assert ran.code == 1
-    assert "The data do not identify friction, peak slip; no value is given." in ran.words
+    assert "ATTENTION Not identified: friction, peak slip." in ran.words
     assert "more than 4 times off the drive file" in ran.words
     assert not out.exists()
     assert "not written: the data do not identify" in ran.err

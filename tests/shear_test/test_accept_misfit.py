@@ -68,7 +68,8 @@ def test_a_drive_that_is_solved_with_it_says_so(accepted: Path) -> None:
     text = text.replace('lagging = "diamond-rubber"', f'lagging = "{accepted.name}"')
     drive = accepted.parent / "drive.toml"
     drive.write_text(text, "utf-8")
-    words = wraparc("solve", drive, "--load-case", "design").words
+    words = wraparc("solve", drive, "--load-case", "design", "--full").words
+    assert "deviates from its tests (head, design)." in words
     assert f"The laboratory wrote it nevertheless: {REASON}." in words
 
 
