@@ -62,7 +62,7 @@ def test_a_scaled_law_is_called_what_it_is(tmp_path: Path) -> None:
     )
     assert lead in text
     assert "Data** Friction, block, E\\_c illustrative; G estimated." in text
-    assert "the dry law scaled as a whole" in text
+    assert "is its dry law scaled as a whole" in text
     wet = ("--set", "condition=wet")
     named = note(tmp_path, EXAMPLES / "head-drive-fabric.toml", *wet)
     assert "## Results by load case, wet\n" in named

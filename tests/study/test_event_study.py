@@ -45,7 +45,7 @@ def test_a_row_is_the_run_of_its_design_and_a_refused_one_says_why(tmp_path: Pat
     rows = list(csv.DictReader(table.read_text("utf-8").splitlines()))
     # a start in half a second is beyond the motors
     assert rows[0]["worst check"] == "REFUSED"
-    assert "the torque limits of the motors give" in rows[0]["said"]
+    assert "the torque limits of the motors give" in rows[0]["text"]
     assert rows[0]["peak creep [m]"] == ""
     # independent: the run itself
     overrides = [*map(str, made["set"]), "motion.event.start.happens[1].time=10 s"]  # type: ignore[call-overload]
