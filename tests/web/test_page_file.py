@@ -169,13 +169,12 @@ def assert_shows_what_solve_says(page: Page, file: Path) -> str:
     systems: tuple[System, System] = ("si", "us")
     for system in systems:
         page.get_by_label(system.upper(), exact=True).check(force=True)
-        shown_text = page.locator(".governing .headline").inner_text()
-        said = re.split(r"\s+Raise T2 to ", shown_text)[0]  # a button stands behind it
-        assert said.partition(" ")[2] == f"{verdict['word']} {found.headline(system)}"
+        said = page.locator(".governing .headline").inner_text()
+        assert said.partition(" ")[2] == f"{verdict['label']} {in_units(found.text, system)}"
         sentences = page.locator(".governing li").all_inner_texts()
-        assert sentences == [in_units(least, system), *found.sentences(system)]
+        assert sentences == [in_units(text, system) for text in (least, *found.full)]
         rows = page.locator("#drive .t-checks tbody tr").all_inner_texts()
-        shown = [row.split("\t")[:4] for row in rows]
+        shown = [row.split("\t")[:5] for row in rows]
         assert shown == [[r.title, *r.values] for r in shown_in(check_table(found), system).rows]
         carried = shown_in(carried_by, system)
         assert carried is not None
@@ -217,7 +216,7 @@ return {
   headline: texts(".governing .headline")[0],
   sentences: texts(".governing li"),
   rows: [...document.querySelectorAll("#drive .t-checks tbody tr")].map((row) =>
-    [...row.cells].slice(0, 4).map((cell) => cell.textContent)),
+    [...row.cells].slice(0, 5).map((cell) => cell.textContent)),
   creep: texts("#drive .figures b")[0],
 };
 """
@@ -262,9 +261,9 @@ def assert_is_what_solve_says(browser: Firefox, file: Path, system: System) -> N
     wait_for(complete)
     result = solve(load_drive(file), raise_on_failure=False)
     verdict, shown = judge(result), found[-1]
-    headline = f"{verdict.word} {verdict.headline(system)}"
+    headline = f"{verdict.label} {in_units(verdict.text, system)}"
     assert shown["headline"].partition(" ")[2].strip() == headline
-    sentences = [in_units(least_sentence(result), system), *verdict.sentences(system)]
+    sentences = [in_units(text, system) for text in (least_sentence(result), *verdict.full)]
     assert shown["sentences"] == sentences
     # the balance is what the search leaves, and each browser has an exponential of its own
     rest = [row for row in shown["rows"] if "balance" not in row[0]]
@@ -431,7 +430,7 @@ def test_hostile_names_stay_names(page_of: Any) -> None:
     dialogs: list[str] = []
     page.on("dialog", lambda dialog: dialogs.append(dialog.message))
     expect(page.locator("#title")).to_have_text(HOSTILE)
-    expect(page.locator(".governing .headline").first).to_contain_text(f"Pulley {HOSTILE}")
+    expect(page.locator(".governing .headline").first).to_contain_text(f"({HOSTILE}, ")
     assert dialogs == []
 
 
@@ -525,10 +524,12 @@ def test_interval_of_a_fitted_law_is_left_to_the_program_and_told(
     creep = display(arc["exit_creep"], "length", digits=RESULT_DIGITS)
     assert figure(page, "Creep at exit") == creep
     note = page.locator("#drive .t-checks").inner_text()
-    assert "end of the 95 % interval of the law" in note
+    assert "Creep, 95 % bound" in note
     # what the page cannot find leaves no bare OK
     assert "ATTENTION" in page.locator(".governing .headline").first.inner_text()
-    assert "this page does not find the interval" in page.locator(".governing").inner_text()
+    said = page.locator(".governing").inner_text()
+    assert "Creep, 95 % bound, is not computed in this page" in said
+    assert "Solve the file with wraparc solve." in said
     said = "The interval of the creep that the fit of ours leaves is not found in this page"
     assert said in page.locator("#results").inner_text()
 
@@ -628,7 +629,7 @@ def assert_compares(page: Page, expected: CompareAnswer, what: str, system: Syst
         told = [worded(row.cells[key].text, system) for key in keys]
         assert [str(cell).replace(" (best)", "") for cell in cells] == told
         answer = str(shown.locator("td").nth(1).text_content())
-        assert answer.endswith(f"{row.word} {row.short}")
+        assert answer.endswith(f"{row.label} {row.short}")
         titled = f"{row.name}, {row.title}" if what == "belts" else row.title
         assert str(shown.locator("th").text_content()).startswith(titled)
 

@@ -17,7 +17,7 @@ from worded import worded
 from wraparc.checks import judge
 from wraparc.train import solve_train
 from wraparc.train.file import train_from_text
-from wraparc.units import System
+from wraparc.units import System, in_units
 from wraparc.web.answers.trains import train_part
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -123,7 +123,7 @@ def test_train_page_says_what_the_program_says(chrome: Browser, tmp_path: Path, 
 def assert_says(page: Page, answer: dict[str, Any], system: System) -> None:
     verdict = answer["verdict"]
     said = page.locator("#train .verdict .headline").first.inner_text()
-    assert said.partition(" ")[2].endswith(worded(verdict["headline"], system))
+    assert said.partition(" ")[2].endswith(worded(verdict["text"], system))
     sentences = page.locator("#train .verdict li").all_inner_texts()
     assert sentences == [worded(s, system) for s in verdict["sentences"]]
     shown = tables_of(page)
@@ -275,7 +275,7 @@ def assert_firefox_says(browser: Firefox, folder: Path, name: str) -> None:
     wait_for(lambda: browser.run(SHOWN) is not None)
     shown, answer = browser.run(SHOWN), answer_of(TRAINS[name])
     verdict = answer["verdict"]
-    assert shown["headline"].strip().endswith(worded(verdict["headline"], "si"))
+    assert shown["headline"].strip().endswith(worded(verdict["text"], "si"))
     assert shown["sentences"] == [worded(s, "si") for s in verdict["sentences"]]
     for table in answer["tables"]:
         title = worded(table["title"], "si")
@@ -290,12 +290,15 @@ def test_motors_far_too_large_are_asked_about_as_by_solve(chrome: Browser, tmp_p
     text = MOTORS.replace('"110 kW"', '"1100 kW"')
     file, html = tmp_path / "train.toml", tmp_path / "train.html"
     file.write_text(text, "utf-8")
-    headline = judge(solve_train(train_from_text(text), raise_on_failure=False)).headline()
-    assert "Is 1.22 meant?" in headline
+    verdict = judge(solve_train(train_from_text(text), raise_on_failure=False))
+    (asked,) = (c for c in verdict.missed if c.name == "usual_sizes")
+    said = in_units(asked.text, "si")
+    assert "is outside the usual" in said
+    assert "1.22" in in_units(asked.action_text, "si")
     assert wraparc("page", str(file), "-o", str(html))[0] == 0
     visitor = Visitor(chrome, html.as_uri(), offline=True)
     page = visitor.page
     page.goto(html.as_uri())
     page.click("#nav-train")
-    page.get_by_text(headline).first.wait_for(state="attached")
+    page.get_by_text(said).first.wait_for(state="attached")
     visitor.close()
