@@ -317,5 +317,5 @@ def test_across_says_one_creep(case: str | None) -> None:
     systems: tuple[System, System] = ("si", "us")
     for system in systems:
         creep = worded(row["values"][0], system)
-        assert f"creeps {creep}, " in worded(found["verdict"]["headline"], system)
+        assert f"Creep {creep} " in worded(found["verdict"]["text"], system)
     assert found["load_case"] == (case or "start")

@@ -215,11 +215,14 @@ def test_three_drives_share_the_whole_and_have_a_trim_each(long_visit: Visitor) 
 def test_the_sentence_is_of_the_load_case_that_is_looked_at(long_visit: Visitor) -> None:
     page = shows(long_visit, "triple-steel-cord", "train")
     say = page.locator("#train .say")
-    expect(say).to_contain_text("checks are kept")
-    expect(say).to_contain_text("Worse elsewhere: empty. The drives work against each other")
+    expect(say.locator("p")).to_contain_text(re.compile(r"OK: All \d+ checks pass\."))
+    governing = say.locator(".line").filter(has_text="Governing")
+    expect(governing).to_contain_text("empty: Drives oppose each other by 1.28 kN (empty).")
     say.get_by_role("button", name="empty").click()
-    expect(say.locator("p")).to_contain_text("The drives work against each other with 1.28 kN")
-    expect(say).to_contain_text("Bring their speeds closer together")
+    expect(say.locator("p")).to_have_text("ATTENTION: Drives oppose each other by 1.28 kN (empty).")
+    expect(say.locator(".line").filter(has_text="Action")).to_have_text(
+        "Action Try torque sharing, or closer speeds (wraparc trim)."
+    )
     turn(page, "drive")
     expect(page.locator("#cases [aria-pressed=true]")).to_contain_text("empty")
 
@@ -236,9 +239,9 @@ def test_the_action_of_drives_that_fail_is_what_helps(long_visit: Visitor) -> No
     long_visit.open("train", unfold=False)
     said = page.locator("#train-verdict")
     expect(said).to_have_class(re.compile("bad|warn"))
-    expect(said.locator("p")).to_contain_text(re.compile(r"Pulley second: [A-Z].*\d"))
+    expect(said.locator("p")).to_contain_text(re.compile(r": [A-Z].*\d.* \(second, \w+\)\."))
     expect(said.get_by_role("button", name="Find the trim limits")).to_have_count(0)
-    said.get_by_role("button", name=re.compile("^Raise T2 to")).click()
+    said.get_by_role("button", name=re.compile(r"^Raise T2 from 12 to [\d.]+ kN\.$")).click()
     expect(said).to_have_class(re.compile("good"))
 
 
@@ -277,9 +280,13 @@ def test_worse_elsewhere_is_where_the_verdict_is_worst(long_visit: Visitor) -> N
     take(page, tomllib.loads(TWO_FAULTS))
     long_visit.solved()
     say = page.locator("#verdict")
-    expect(say).to_contain_text("Worse elsewhere: presses: face pressure")
+    expect(say.locator(".line").filter(has_text="Governing")).to_have_text(
+        "Governing presses: ATTENTION face pressure"
+    )
     say.get_by_role("button", name="presses").click()
-    expect(say).to_contain_text("presses on the pulley face")
+    expect(say.locator("p")).to_contain_text(
+        "Face pressure 417 kPa exceeds the belt limit 320 kPa (head, presses)."
+    )
 
 
 def test_what_would_help_is_judged_in_every_load_case(long_visit: Visitor) -> None:
