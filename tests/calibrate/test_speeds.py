@@ -334,17 +334,18 @@ def test_a_cover_that_may_be_in_the_slip_is_no_ok(tmp_path: Path) -> None:
     assert sheet.verdict is not None
     assert sheet.verdict.level is Level.ATTENTION
     assert any(
-        "is not known: with the cover in series friction is 1.04, outside its interval" in said
+        "shear of the belt cover: with the cover in series friction is 1.04, outside its interval"
+        in said
         for said in sheet.verdict.sentences
     )
     exact = shown(calibrate_sheet(right, problem, ""), "si").verdict
     assert exact is not None
     assert exact.level is Level.OK
-    assert "of the belt cover is not known: it is left out" in wraparc("overlay", file).words
+    assert "the shear of the belt cover: it is left out" in wraparc("overlay", file).words
     # with errors stated, the interval holds the other value: said, and no more than that
     within = wraparc("calibrate", asked(tmp_path, ASK + ZERO + ERRORS))
     assert within.code == 0
-    assert "cover is not known: with the cover in series friction is 1.04. By" in within.words
+    assert "belt cover: with the cover in series friction is 1.04. By" in within.words
 
 
 def test_no_thickness_no_offset() -> None:
