@@ -151,7 +151,7 @@ def test_switch_of_the_condition_is_answered_without_the_server(
     file.write_text(document_text(kept(page), TRAIN_FILE), "utf-8")
     told = json.loads(wraparc("solve", str(file), "--json", "-")[1])["verdict"]
     said = page.locator(".governing .headline").inner_text()
-    assert said.partition(" ")[2] == f"{told['word']} {told['headline']}"
+    assert said.partition(" ")[2] == f"{told['label']} {told['text']}"
     page.click("#undo")
     says(page, "dry")
     assert kept(page) == before
@@ -263,7 +263,7 @@ def test_another_belt_of_the_catalogue_is_judged_as_by_the_command(
     told = json.loads(wraparc("solve", str(file), "--json", "-")[1])["verdict"]
     assert told["level"] != "OK"
     said = page.locator(".governing .headline").inner_text()
-    assert said.partition(" ")[2] == f"{told['word']} {told['headline']}"
+    assert said.partition(" ")[2] == f"{told['label']} {told['text']}"
     # a number that is moved then is judged by the page, the server silent: the same command
     visitor.alone()
     page.route("**/api/v1/solve**", lambda route: None)
@@ -273,7 +273,7 @@ def test_another_belt_of_the_catalogue_is_judged_as_by_the_command(
     file.write_text(document_text(kept(page), TRAIN_FILE), "utf-8")
     told = json.loads(wraparc("solve", str(file), "--json", "-")[1])["verdict"]
     said = page.locator(".governing .headline").inner_text()
-    assert said.partition(" ")[2] == f"{told['word']} {told['headline']}"
+    assert said.partition(" ")[2] == f"{told['label']} {told['text']}"
     page.unroute_all(behavior="ignoreErrors")
 
 

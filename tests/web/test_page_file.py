@@ -529,7 +529,6 @@ def test_interval_of_a_fitted_law_is_left_to_the_program_and_told(
     assert "ATTENTION" in page.locator(".governing .headline").first.inner_text()
     said = page.locator(".governing").inner_text()
     assert "Creep, 95 % bound, is not computed in this page" in said
-    assert "Solve the file with wraparc solve." in said
     said = "The interval of the creep that the fit of ours leaves is not found in this page"
     assert said in page.locator("#results").inner_text()
 

@@ -14,7 +14,7 @@ from playwright.sync_api import Error, Route, expect
 from cli.running import wraparc
 from web.browser import PAGES, READY, STEPS, STUDY, TABS, Calculator, Visitor, turn
 from web.calculators import TOKEN, document, wait_for
-from wraparc.checks.check import SAID
+from wraparc.checks.check import INFO_CHECKS
 from wraparc.schema.emit import document_text
 from wraparc.train.keys import TRAIN_FILE
 from wraparc.units import RESULT_DIGITS, display, on_safe_side
@@ -493,8 +493,7 @@ def test_checks_follow_the_slider_without_the_server(visitor: Visitor, tmp_path:
         told = json.loads(wraparc("solve", str(file), "--json", "-")[1])
         verdict, arc = told["verdict"], told["arcs"][0]
         said = page.locator(".governing .headline").inner_text()
-        said = re.split(r"\s+Raise \D+ to ", said)[0]  # a button stands behind it
-        assert said.partition(" ")[2] == f"{verdict['word']} {verdict['headline']}"
+        assert said.partition(" ")[2] == f"{verdict['label']} {verdict['text']}"
         levels.add(verdict["level"])
         creep = arc["exit_creep"]
         expected = "–" if creep is None else display(creep, "length", digits=RESULT_DIGITS)
@@ -514,7 +513,7 @@ def test_checks_follow_the_slider_without_the_server(visitor: Visitor, tmp_path:
         rows = page.locator("#drive .t-checks tbody tr")
         judged = [c for c in verdict["checks"] if c["level"] != "NOT CHECKED"]
         titles = [row.partition("\t")[0] for row in rows.all_inner_texts()]
-        assert titles == [c["title"] for c in judged if c["name"] not in SAID]
+        assert titles == [c["title"] for c in judged if c["name"] not in INFO_CHECKS]
     page.unroute_all(behavior="ignoreErrors")
     assert levels == {"OK", "ATTENTION", "FAILS"}
 
@@ -544,13 +543,13 @@ def test_choices_are_answered_without_the_server(visitor: Visitor, tmp_path: Pat
         told = json.loads(wraparc("solve", str(file), "--json", "-")[1])
         said = page.locator(".governing .headline").inner_text()
         verdict = told["verdict"]
-        assert said.partition(" ")[2] == f"{verdict['word']} {verdict['headline']}"
+        assert said.partition(" ")[2] == f"{verdict['label']} {verdict['text']}"
         creep = display(told["arcs"][0]["exit_creep"], "length", digits=RESULT_DIGITS)
         assert key_figure(visitor, "Creep at exit") == creep
         rows = page.locator("#drive .t-checks tbody tr")
         judged = [c for c in verdict["checks"] if c["level"] != "NOT CHECKED"]
         titles = [row.partition("\t")[0] for row in rows.all_inner_texts()]
-        assert titles == [c["title"] for c in judged if c["name"] not in SAID]
+        assert titles == [c["title"] for c in judged if c["name"] not in INFO_CHECKS]
     page.unroute_all(behavior="ignoreErrors")
 
 

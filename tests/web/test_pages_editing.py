@@ -239,8 +239,8 @@ def test_governing_case_comes_first_and_keeps_its_advice(visitor: Visitor) -> No
         expect(chip).to_contain_text(f"{case} {100 * share:.3g} %")
         sign = {"OK": "good", "ATTENTION": "warn", "FAILS": "bad"}[arc["level"]]
         expect(chip.locator("svg")).to_have_class(f"g {sign}")
-        expect(page.locator("#why")).to_contain_text(f"load case {case}")
-        expect(headline).to_contain_text(worded(answer["verdict"]["headline"]))
+        expect(page.locator("#why")).to_contain_text(f"head, {case}")
+        expect(headline).to_contain_text(worded(answer["verdict"]["text"]))
         expect(page.locator(".governing")).to_contain_text(
             worded(answer["verdict"]["sentences"][0])
         )
@@ -255,16 +255,16 @@ def test_late_word_on_a_load_case_does_not_bring_it_back(visitor: Visitor) -> No
     held: list[Route] = []
     page.route("**/api/v1/solve/fast", lambda route: held.append(route))  # noqa: PLW0108
     chips.filter(has_text="empty").click()
-    expect(chosen).to_contain_text("load case empty")
+    expect(chosen).to_contain_text("head, empty")
     wait_for(lambda: page.evaluate("true") and held)
     chips.filter(has_text="start").click()
-    expect(chosen).to_contain_text("load case start")
+    expect(chosen).to_contain_text("head, start")
     held.pop(0).continue_()
     wait_for(lambda: page.evaluate("true") and held)  # the one behind it
     with page.expect_response("**/api/v1/solve/fast"):
         held.pop(0).continue_()
     visitor.painted()
-    expect(chosen).to_contain_text("load case start")
+    expect(chosen).to_contain_text("head, start")
 
 
 def test_load_given_by_other_numbers_is_the_same_load(visitor: Visitor) -> None:

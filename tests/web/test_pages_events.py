@@ -79,7 +79,7 @@ def test_a_start_of_a_shipped_tandem_plays(visitor: Visitor, tmp_path: Path) -> 
     page.emulate_media(reduced_motion="no-preference")
     page.click("#follow")
     # the answers stand first, and it plays by itself
-    expect(page.locator("#events .verdict .headline").nth(1)).to_contain_text("does not pulsate")
+    expect(page.locator("#events .verdict .headline").nth(1)).to_contain_text("Te ripple")
     expect(page.locator("#play")).to_contain_text("Play")  # when it has come to its end
     reading = page.locator("#events .reading-time")
     expect(reading).to_contain_text(re.compile(r"^2\.0\d s: belt"))
@@ -174,7 +174,7 @@ def test_a_run_is_cancelled_and_another_one_goes_slack(
     page.press("#e-step", "Tab")
     page.click("#follow")
     headline = page.locator("#events .verdict .headline").first
-    expect(headline).to_contain_text("The belt goes slack before first at 1.3")
+    expect(headline).to_contain_text("Belt goes slack before first at 1.3")
     assert float(page.get_attribute("#play-time", "max") or 0) < 1.5
     # nothing moves before it is asked to, and then in steps
     expect(page.locator("#events .reading-time")).to_have_text(re.compile(r"^0\.00 s"))

@@ -291,7 +291,7 @@ def test_the_verdict_of_a_phone_leads_to_what_is_worse(visitor: Visitor) -> None
     page.fill("#f-pulley-0-entry_tension", "80")
     said = page.locator("#verdict")
     expect(said).to_contain_text("OK")
-    said.get_by_role("button", name="start: over creep limit").click()
+    said.get_by_role("button", name="start: ATTENTION creep").click()
     expect(said).to_contain_text("ATTENTION")
     expect(page.locator("#cases [aria-pressed=true]")).to_contain_text("start")
 

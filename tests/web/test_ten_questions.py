@@ -5,6 +5,7 @@ typed values an answer takes, from the first screen with the drive open.
 """
 
 import json
+import re
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -81,7 +82,7 @@ def least_tension_and_counterweight(hand: Hand) -> None:
     hand.visitor.solved()
     out = printed("solve", HEAD, "--set", "pulley.head.lagging=full-ceramic")
     least = hand.page.locator(".t-least")
-    assert "Counterweight for it" in words(least.text_content() or "")
+    assert re.search(r"Counterweight ?\d+ kg", words(least.text_content() or ""))
     assert_told(cells(least), out)
 
 
@@ -103,14 +104,16 @@ def wrap_take_up_or_ceramic(hand: Hand) -> None:
     (found,) = json.loads(wraparc("seek", HEAD, *goal, "--json", "-")[1])["found"]
     wrap = f"{found['value'] * 57.29577951308232:.1f} deg"
     expect(seek.get_by_role("button", name=f"Use {wrap}")).to_be_visible()
-    # and the take-up stands on the button beside the verdict
-    expect(hand.page.locator(".advice")).to_have_text("Raise T2 to 89.4 kN")
+    # and what to do stands on the button beside the verdict
+    expect(hand.page.locator("#verdict .advice")).to_have_text(
+        "Use lagging full-ceramic and wrap 212 deg."
+    )
 
 
 def normal_slip(hand: Hand) -> None:
     hand.press("On site")
     card = hand.page.locator(".site")
-    expect(card.locator(".headline")).to_contain_text("The drive as described shows at most")
+    expect(card.locator(".headline")).to_contain_text("Speed difference")
     assert_told(cells(card.locator("table").first), printed("field", HEAD))
 
 
@@ -126,7 +129,8 @@ def debonding_shear(hand: Hand) -> None:
     hand.type(hand.page.locator("#f-pulley-0-lagging-fatigue_limit"), "100 kPa")
     hand.visitor.solved()
     told = words(hand.page.locator(".t-checks").text_content() or "")
-    assert "Shear stress of lagging and bond, steady" in told
+    assert "Bond shear stress" in told
+    assert "Cyclic shear stress" in told
     assert_told(cells(hand.page.locator(".t-checks")), printed(
         "solve", HEAD, "--set", "pulley.head.lagging.bond_strength=1 MPa",
         "--set", "pulley.head.lagging.fatigue_limit=100 kPa",
