@@ -49,6 +49,10 @@ EVEN = {
 }  # fmt: skip
 
 
+#: Titles of the minimum tension in a table.
+MINIMUM = ("Minimum T2", "Minimum slack-side tension T1")
+
+
 def missed(of: Drive) -> set[str]:
     """Checks that bind and are missed."""
     told = judge(solve(of, raise_on_failure=False))
@@ -69,7 +73,7 @@ def followed(of: Drive) -> None:
         r"Minimum (?:slack-side tension )?T[12] (\S+ \S+) \(", " ".join(told.sentences)
     )
     if least is None:
-        assert "No T2 " in " ".join(told.sentences)
+        assert re.search(r"No (slack-side tension )?T[12] ", " ".join(told.sentences))
         return
     raised = with_slack(of, printed(least[1]))
     table = shown(least_table(result), "si")
@@ -159,14 +163,14 @@ def followed_trim(train: Train) -> None:
     if not result.cases[0].status.solved or len(train.pulleys) != 2:
         return
     matching = match_drives(result, points=5)
-    told = shown(matching_verdict(result, matching), "si").text
-    found = re.match(r"(?:Set|Keep) (\S+) (?:to|at) a trim of (\S+) %", told)
-    if found is None:
+    action = shown(matching_verdict(result, matching), "si").action
+    if action is None:
         assert not matching.equal.status.solved
         return
-    within = re.search(r"hold it within (\S+) %", told)
-    for off in (0.0, *(() if within is None else (0.99, -0.99))):
-        trim = 0.01 * (float(found[2]) + off * float(within[1] if within else 0.0))
+    found = re.match(r"Set trim (?:from \S+ % )?to (\S+) (?:% ?)?(?:± (\S+) %)?", action.text)
+    assert found is not None, action.text
+    for off in (0.0, *(() if found[2] is None else (0.99, -0.99))):
+        trim = 0.01 * (float(found[1]) + off * float(found[2] or 0.0))
         case = replace(train.cases[0], division=Speeds((1.0, trim)))
         after = solve_train(replace(train, cases=(case,)), raise_on_failure=False).cases[0]
         share = after.members[1].share

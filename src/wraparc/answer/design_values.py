@@ -71,7 +71,7 @@ def _design_row(drive: ClassicalDrive, result: ArcResult, of: Sources) -> Row:
 
 def _at_least(low: float, high: float) -> str:
     """Return the tensions that are needed, the higher rounded up as every minimum is."""
-    return at_least(high) if low == high else between("tension", low, high, "to up")
+    return at_least(high) if high - low <= 1e-9 * high else between("tension", low, high, "to up")
 
 
 def _pair(name: str, ends: tuple[float, float]) -> str:

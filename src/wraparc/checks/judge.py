@@ -48,7 +48,7 @@ def _placed(checks: tuple[Check, ...], conditions: dict[str, str]) -> tuple[Chec
         return checks
     return tuple(
         replace(check, place=check.place._replace(condition=conditions[check.place.load_case]))
-        if check.place.load_case in conditions
+        if check.place.load_case in conditions and check.name != "condition"  # its sentence has it
         else check
         for check in checks
     )
@@ -128,7 +128,7 @@ def _train(result: TrainResult) -> Iterator[Check]:
         opposing = check.name == "opposing_drives" and check.missed
         if opposing and check.place.load_case in failing:
             case = result.train.case(check.place.load_case)
-            if check.more["opposing"].value > of_train.OPPOSES * abs(case.effective_tension):
+            if check.value > of_train.OPPOSES * abs(case.effective_tension):
                 yield replace(check, level=Level.FAILS)
                 continue
         yield check
