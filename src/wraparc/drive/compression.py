@@ -28,7 +28,7 @@ class Block:
         k, Gent's numerical factor: 1 for unfilled rubber, falling to about 0.5 for hard
         filled compounds (0.57 at 60 IRHD, 0.54 at 65, 0.53 at 70) [-].
     contact_fraction
-        Part of the wrap area that the blocks cover [-].
+        f, part of the wrap area that the blocks cover [-]: they bear p/f, and shear by tau/f.
     """
 
     LIMITS: ClassVar[Mapping[str, Limit]] = {

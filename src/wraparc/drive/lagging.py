@@ -71,7 +71,8 @@ class Lagging(Viewable):
     thickness
         Thickness h that shears [m]; 0 for a surface that does not.
     shear_modulus
-        G [Pa]; infinite if it does not shear.
+        Effective shear modulus G over the gross area [Pa]: f times that of the rubber where
+        blocks cover the fraction f of it; infinite if it does not shear.
     compression_modulus
         Effective compression modulus E_c over the gross area [Pa].
     title

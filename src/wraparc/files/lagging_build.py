@@ -129,7 +129,8 @@ def _elasticity(
     """Return thickness and moduli, those not given estimated from those given.
 
     What is estimated says so in `sources`: G = E/3 of an incompressible rubber, E = 3 G,
-    and the compression modulus from E and the shape of the blocks, or equal to E.
+    and the compression modulus from E and the shape of the blocks, or equal to E. Moduli that are
+    given with blocks are those of the rubber: over the gross area the blocks shear by f G.
     """
     given = [key for key in _ELASTIC if key in record]
     if not record.sound("thickness", *_ELASTIC):
@@ -150,7 +151,7 @@ def _elasticity(
         report.add(place, "missing, and the lagging is not rigid", remedy)
         return {}
     stated = {key: record[key] for key in _MEASURED if key in record}
-    return _estimated(record, sources, provenance, report) | stated if known else stated
+    return stated | _estimated(record, sources, provenance, report) if known else stated
 
 
 def _estimated(
@@ -163,9 +164,16 @@ def _estimated(
         sources.setdefault(part, Provenance(of.kind, of.source, of.date, f"estimated: {text}"))
 
     moduli: dict[str, Any] = {}
+    contact = record["block"].get("contact_fraction", 1.0) if "block" in record else 1.0
+    of_blocks = f"contact fraction {contact:g}"
     if "shear_modulus" not in record:
-        moduli["shear_modulus"] = record["elastic_modulus"] / 3.0
-        note("shear_modulus", "elastic_modulus", "G = E/3, incompressible rubber")
+        moduli["shear_modulus"] = contact * record["elastic_modulus"] / 3.0
+        text = "G = E/3, incompressible rubber"
+        text += f", over the gross area times the {of_blocks}" if contact < 1.0 else ""
+        note("shear_modulus", "elastic_modulus", text)
+    elif contact < 1.0:
+        moduli["shear_modulus"] = contact * record["shear_modulus"]
+        note("shear_modulus", "shear_modulus", f"G of the rubber times the {of_blocks}")
     if "compression_modulus" not in record:
         basis = "elastic_modulus" if "elastic_modulus" in record else "shear_modulus"
         young = record[basis] * (1.0 if basis == "elastic_modulus" else 3.0)

@@ -248,17 +248,22 @@ def _lagging_table(laggings: Lagging | Sequence[Lagging]) -> Tables:
     table = {**commons[0], "law": laws if len(laws) > 1 else laws[0]}
     if first.block is None:
         return table
-    shaped = _with_blocks(table, first.block)
+    shaped = _with_blocks(table, first, first.block)
     again = _laggings_of(shaped)
     same = again == several and all(lagging.block == first.block for lagging in again)
     return shaped if same else table
 
 
-def _with_blocks(table: Tables, block: Block) -> Tables:
-    """Return the table of a lagging with its blocks in the place of the modulus that they make."""
-    part = "compression_modulus"
-    sources = {k: of for k, of in (table.get("sources") or {}).items() if k != part}
-    rest = {key: value for key, value in table.items() if key not in (part, "sources")}
+def _with_blocks(table: Tables, lagging: Lagging, block: Block) -> Tables:
+    """Return the table of a lagging with its blocks in the place of the moduli that they make."""
+    contact, rubber = block.contact_fraction, lagging.elastic_modulus
+    made = {"compression_modulus"} | ({"shear_modulus"} if contact < 1.0 else set())
+    sources = {k: of for k, of in (table.get("sources") or {}).items() if k not in made}
+    rest = {key: value for key, value in table.items() if key not in (*made, "sources")}
+    if contact < 1.0 and (rubber is None or lagging.shear_modulus != contact * rubber / 3.0):
+        # that of the rubber, without the last digits that the division leaves
+        shear = float(f"{lagging.shear_modulus / contact:.14g}")
+        rest["shear_modulus"] = quantity_text(shear, "pressure")
     return {**rest, "block": BLOCK.written(block), **({"sources": sources} if sources else {})}
 
 

@@ -227,8 +227,13 @@ class DriveSource:
                 columns["diameter"] = columns["diameter"] - 2.0 * values[name]
                 columns["lagging_thickness"] = columns["lagging_thickness"] - values[name]
         valid &= columns["lagging_thickness"] >= 0.0
-        if "compression_modulus" not in (self._columns[f] for f in self._columns if f in values):
-            laggings = [d.pulley(self.pulley).lagging for d in drives]
+        varied = {self._columns[f] for f in self._columns if f in values}
+        laggings = [d.pulley(self.pulley).lagging for d in drives]
+        if "shear_modulus" in varied:  # a file has that of the rubber
+            covered = np.array([1.0 if g.block is None else g.block.contact_fraction
+                                for g in laggings])  # fmt: skip
+            columns["shear_modulus"] = columns["shear_modulus"] * covered[which]
+        if "compression_modulus" not in varied:
             thickness = columns["lagging_thickness"]
             columns["compression_modulus"] = compression_moduli(laggings, which, thickness)
         if self.divides is not None:
