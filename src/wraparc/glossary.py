@@ -106,6 +106,14 @@ QUANTITIES: tuple[Quantity, ...] = (
         "Shear stress for unit tangent of the shear angle of a belt cover.",
     ),
     Quantity(
+        "cord_diameter", "d_c", "length", "Cord diameter",
+        "Diameter of the steel cords; that of the carcass.",
+    ),
+    Quantity(
+        "cord_pitch", "p_c", "length", "Cord pitch",
+        "Distance between the axes of neighbouring steel cords.",
+    ),
+    Quantity(
         "belt_mass", "m_b", "mass_per_length", "Belt mass",
         "Mass of a metre of belt; m v^2 of the tension presses on no pulley.",
     ),

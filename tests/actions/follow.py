@@ -8,7 +8,7 @@ from typing import Any
 from wraparc.actions import find_action, settings_of
 from wraparc.actions.search import DATA_CHECKS
 from wraparc.checks import Level, Verdict, judge
-from wraparc.checks.action import Way
+from wraparc.checks.action import Action, Way
 from wraparc.schema.overrides import put_over
 from wraparc.train.file import drive_or_train_from_document
 from wraparc.train.keys import TRAIN_FILE
@@ -28,12 +28,15 @@ class Followed:
     wrong
         What a way did not do that it says, in words.
     ways, rounds
-        Ways that were followed, and actions after each other at most.
+        Ways that were followed, and actions after each other.
+    end
+        How it ends: OK, in words that no way follows from, or by how much Te is too large.
     """
 
     wrong: list[str]
     ways: int = 0
     rounds: int = 0
+    end: str = ""
 
 
 def solved_document(document: dict[str, Any]) -> Whole:
@@ -59,6 +62,7 @@ def follow(document: dict[str, Any]) -> Followed:
     while told.rounds < MOST:
         action = find_action(result)
         if action is None or not action.ways:
+            told.end = end_of(judge(result), action)
             return told
         told.rounds += 1
         first: tuple[dict[str, Any], Whole] | None = None
@@ -76,6 +80,15 @@ def follow(document: dict[str, Any]) -> Followed:
             return told
     told.wrong.append("no end")
     return told
+
+
+def end_of(verdict: Verdict, action: Action | None) -> str:
+    """Return how following ends."""
+    if verdict.level is Level.OK:
+        return "OK"
+    if left_of(verdict) == 0:
+        return "OK but for data"
+    return "A0" if action and action.text.startswith("No T2") else "words"
 
 
 def faults_of(before: Verdict, after: Verdict, way: Way) -> list[str]:

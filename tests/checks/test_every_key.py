@@ -54,6 +54,8 @@ pulley_cover = "3 mm"
 carry_cover = "6 mm"
 carcass = "6 mm"
 cover_shear_modulus = "1 MPa"
+cord_diameter = "6 mm"
+cord_pitch = "12 mm"
 mass = "20 kg/m"
 [[pulley]]
 name = "head"
@@ -467,7 +469,8 @@ def test_keys_of_other_files_are_refused_or_stand_here_with_their_reason(table: 
 #: What is asked about at ten times as much already: ratios, and what hardly differs between drives.
 TENFOLD = (
     "belt.width", "belt.speed", "belt.momentary_factor", "belt.pulley_cover", "belt.carry_cover",
-    "belt.carcass", "belt.cover_shear_modulus", "belt.mass", "belt.strength", "pulley.diameter",
+    "belt.carcass", "belt.cord_diameter", "belt.cord_pitch",
+    "belt.cover_shear_modulus", "belt.mass", "belt.strength", "pulley.diameter",
     "take_up.sheave_ratio", "design_standard.friction", "design_standard.start_factor",
     "safety_factor.running", "safety_factor.starting", "safety_factor.braking",
     "sag.idler_spacing", "sag.share", "lagging.plain.law.friction",

@@ -94,7 +94,7 @@ def test_the_worst_load_case_is_named() -> None:
     """Source: every load case solved by itself; the worst is neither the first nor the last."""
     asked = uneven(LOADED)
     found = choose(asked)
-    edge = found.held["edge_tension"]
+    edge = found.standings["edge_tension"]
     at = found.ranking[0]
     belt = asked.belts[found.grid.places[2, at]]
     pulley = replace(
@@ -105,7 +105,7 @@ def test_the_worst_load_case_is_named() -> None:
     drive = replace(asked.drive, belt=belt, pulleys=(pulley,))
     alone = {n: solve_across(drive, load_case=n).largest_running_tension for n in LOADED}
     assert max(alone, key=alone.__getitem__) == "full"
-    assert found.place(int(edge.where[at])) == ("full", "dry")
+    assert found.place(int(edge.where[at])) == ("head", "full", "dry")
     assert edge.value[at] == pytest.approx(alone["full"], rel=1e-9)
 
 
@@ -119,7 +119,7 @@ def test_an_edge_at_standstill_and_a_start_count() -> None:
     drive = replace(asked.drive, pulleys=(head,), load_cases=(case,))
     asked = replace(asked, belts=belts, drive=drive)
     found = choose(asked)
-    edge = found.held["edge_tension"]
+    edge = found.standings["edge_tension"]
     at = int(np.flatnonzero(np.isfinite(edge.value))[0])
     belt = asked.belts[found.grid.places[2, at]]
     lagging = asked.laggings[found.grid.places[0, at]]

@@ -77,7 +77,8 @@ def between(low: str, high: str) -> str:
             'belt.colour = "black": unknown key. The keys here are preset, name, kind, width, '
             "modulus, rating, strength, speed, momentary_factor, "
             "least_pulley_diameter, largest_wrap_pressure, in_plane_shear_stiffness, pulley_cover, "
-            "carry_cover, carcass, thickness, cover_shear_modulus, mass, provenance, sources.",
+            "carry_cover, carcass, thickness, cover_shear_modulus, cord_diameter, cord_pitch, "
+            "mass, provenance, sources.",
         ),
         ('name = "head"', "", 'pulley[1].name: missing. Write name = "head".'),
         # dimensions

@@ -147,6 +147,29 @@ def test_what_changes_the_verdict_alone_may_be_varied() -> None:
     assert columns["exit_creep"][0] == columns["exit_creep"][1]
 
 
+def wet_governs(*names: str) -> list[bool]:
+    """Whether the wet estimate governs, condition by condition, where only it is missed."""
+    axis = {"field": "belt.rating", "values": ["200 kN/m", "210 kN/m"]}
+    conditions = [{"name": name, "friction_factor": 1.0} for name in names]
+    of = study_of(axis, load_cases=["design"], condition=conditions)
+    columns = of.study.solve(0, 2)
+    return [JUDGED["governing"][code] == "wet_creep" for code in columns["governing"][: len(names)]]
+
+
+def test_the_wet_estimate_is_of_dry_rows_that_have_no_wet_ones_beside_them() -> None:
+    assert wet_governs("dry") == [True]
+    assert wet_governs("dry", "dusty") == [True, False]
+    assert wet_governs("dry", "wet") == [False, False]
+
+
+def test_a_wet_condition_of_a_covered_drive_is_refused() -> None:
+    axis = {"field": "belt.rating", "values": ["200 kN/m", "210 kN/m"]}
+    more = {"load_cases": ["design"], "set": ["covered=true"]}
+    study_of(axis, **more, condition=[{"name": "dusty", "friction_factor": 0.9}])
+    with pytest.raises(InputError, match="never runs wet"):
+        study_of(axis, **more, condition=[{"name": "wet", "friction_factor": 0.9}])
+
+
 @pytest.mark.parametrize(
     ("field", "cases"),
     [

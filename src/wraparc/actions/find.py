@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import inf, isfinite
 from weakref import WeakKeyDictionary
 
 from wraparc import catalogue
-from wraparc.actions.by_check import kinds_of, test_phrase
+from wraparc.actions.by_check import GRIP, kinds_of, test_phrase
 from wraparc.actions.document import Source, source_of
 from wraparc.actions.rows import RowEvaluator
 from wraparc.actions.search import DATA_CHECKS, Evaluate, Task, count_left, find_ways
@@ -20,7 +21,6 @@ from wraparc.checks.judge import judge
 from wraparc.checks.least_tension import least_tension
 from wraparc.checks.of_drive import allowed_tension
 from wraparc.drive import Drive
-from wraparc.train import TrainResult
 from wraparc.train.whole import Whole, by_pulley
 
 #: Largest tension that is tried over that of now [-]; and twice what the belt is allowed.
@@ -62,7 +62,7 @@ def _find(result: Whole) -> Action | None:
     task = _task(result, verdict, source)
     evaluate = _evaluation(result, source, task)
     found = find_ways(task, evaluate, SingleEvaluator(source).confirmed)
-    names = Names(_slack(result), source.pulleys if len(source.described.pulleys) > 1 else ())
+    names = Names(_slack(result), _some_pulleys(source))
     phrases = [phrase_of(way, task, names) for way in found.ways]
     ways = tuple(
         Way(
@@ -76,10 +76,10 @@ def _find(result: Whole) -> Action | None:
         phrases.append(Phrase(*tested))
     if phrases:
         return Action(sentence_of(phrases), ways)
-    grips = {RAISE, WRAP, LAGGING} & set(kinds_of(worst))
-    if LAGGING not in grips:
+    if RAISE not in kinds_of(worst):
         return own_action(worst)
-    return Action(none_text(percent_too_large(task, evaluate, worst.name, found.tried)))
+    percent = percent_too_large(task, evaluate, worst.name, found.tried)
+    return Action(none_text(percent, task))
 
 
 def own_action(check: Check) -> Action | None:
@@ -96,20 +96,16 @@ def own_text(check: Check) -> str:
 
 def _evaluation(result: Whole, source: Source, task: Task) -> Evaluate:
     """Return how variants are judged: by rows where those know all that is checked."""
-    drive, single = source.described, SingleEvaluator(source)
-    if not isinstance(drive, Drive) or isinstance(result, TrainResult) or len(drive.pulleys) > 1:
-        return single
-    rows = RowEvaluator(source, drive, task.now, task.tension)
-    return rows if is_served(result) else FilteredEvaluator(rows, single, task.now)
+    rows = RowEvaluator(source, by_pulley(result).drive, task.now)
+    if is_served(result):
+        return rows
+    return FilteredEvaluator(rows, SingleEvaluator(source), task.now)
 
 
 def is_served(result: Whole) -> bool:
-    """Return whether rows judge a drive: of one even pulley, without an interval of its law."""
-    if isinstance(result, TrainResult) or len(result.drive.pulleys) > 1:
-        return False
-    (pulley,) = result.drive.pulleys
+    """Return whether rows know all that is checked: of even pulleys, no interval of a law."""
     interval = any(check.name == "creep_interval" for check in judge(result).listed)
-    return pulley.across is None and not interval
+    return not interval and all(p.across is None for p in by_pulley(result).drive.pulleys)
 
 
 def _task(result: Whole, verdict: Verdict, source: Source) -> Task:
@@ -119,14 +115,17 @@ def _task(result: Whole, verdict: Verdict, source: Source) -> Task:
     lowest, highest = tension_ends(drive, tension)
     worst = verdict.governing
     own = {pulley.lagging.name for pulley in drive.pulleys if pulley.name in source.pulleys}
-    laggings = [n for n in catalogue.lagging_names() if n not in source.own_laggings | own]
+    left_out = source.own_laggings | (own if len(own) == 1 else set())
+    laggings = [name for name in catalogue.lagging_names() if name not in left_out]
     kinds = [kind for check in verdict.missed for kind in kinds_of(check)]
-    left_out = {DIAMETER} if source.has_worn_diameters else set[str]()
+    if RAISE in kinds:
+        kinds += GRIP
+    fixed = {DIAMETER} if source.has_worn_diameters else set[str]()
     if not source.wrap:
-        left_out |= {WRAP}
+        fixed |= {WRAP}
 
-    def some(every: tuple[str, ...] | list[str]) -> tuple[str, ...]:
-        return tuple(kind for kind in dict.fromkeys(every) if kind not in left_out)
+    def some(every: Sequence[str]) -> tuple[str, ...]:
+        return tuple(kind for kind in dict.fromkeys(every) if kind not in fixed)
 
     return Task(
         now=now,
@@ -141,7 +140,7 @@ def _task(result: Whole, verdict: Verdict, source: Source) -> Task:
         strength=belt.breaking_strength or 0.0,
         diameter=max(p.diameter for p in drive.pulleys if p.name in source.pulleys),
         spacing=sag.spacing if sag is not None else 0.0,
-        points=_ROW_POINTS if rows else _SINGLE_POINTS if len(drive.pulleys) == 1 else 0,
+        points=_ROW_POINTS if rows else _SINGLE_POINTS,
         wrap_step=10 if rows else 30,
         splits=_ROW_SPLITS if rows else 1,
         within=1 if rows else 20,
@@ -195,6 +194,11 @@ def _pulleys(verdict: Verdict, result: Whole) -> tuple[str, ...]:
     }
     names = [pulley.name for pulley in by_pulley(result).drive.pulleys]
     return tuple(name for name in names if name in wanted) or tuple(names)
+
+
+def _some_pulleys(source: Source) -> tuple[str, ...]:
+    """Return the pulleys that are changed, empty where all of them are."""
+    return source.pulleys if len(source.pulleys) < len(source.described.pulleys) else ()
 
 
 def _lagging(check: Check, result: Whole) -> str:

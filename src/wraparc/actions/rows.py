@@ -1,7 +1,8 @@
-"""Variants of a drive of one pulley judged together, as rows: many at once, all load cases."""
+"""Variants of a drive judged together, as rows: many at once, all pulleys and load cases."""
 
 from __future__ import annotations
 
+from dataclasses import replace
 from math import inf, radians
 
 import numpy as np
@@ -10,43 +11,48 @@ from wraparc.actions.document import Source
 from wraparc.actions.variant import IMPOSSIBLE, Outcome, Variant
 from wraparc.arc.quantities import REFUSED
 from wraparc.arc.wrap_arc import WrapArc
-from wraparc.arrays import Array, Flags
+from wraparc.arrays import Array
 from wraparc.batch import Setting, solve_arcs
 from wraparc.batch.arcs import COLUMNS, Arcs
 from wraparc.batch.laws import LawBank
 from wraparc.checks.check import Level
 from wraparc.checks.of_rows import NAMES, Held, held_by, row_checks
-from wraparc.checks.rules import RULES
+from wraparc.checks.of_train import OF_MOTORS
+from wraparc.checks.rules import ACROSS_CHECKS
 from wraparc.drive import Drive
+from wraparc.drive.pitch import centrifugal_of
 from wraparc.errors import InputError
 
-_TENSIONS = ("entry_tension", "exit_tension")
+#: Checks that rows make.
+_KNOWN = frozenset(NAMES) - ACROSS_CHECKS - {rule.name for rule in OF_MOTORS}
 #: What is told is confirmed by the solver of one arc.
 _SETTING = Setting.ENGINEERING
 
 
 class RowEvaluator:
-    """Judges variants of a drive of one even pulley.
+    """Judges variants of a drive whose pulleys are even.
 
-    What rows do not check is taken as it is in the drive as it is.
+    Every pulley keeps its share of the load. What rows do not check is taken as it is in the drive
+    as it is.
     """
 
-    def __init__(self, source: Source, drive: Drive, now: Outcome, tension: float) -> None:
-        self._source, self._now, self._tension = source, now, tension
+    def __init__(self, source: Source, drive: Drive, now: Outcome) -> None:
+        self._source, self._drive, self._now = source, drive, now
         self._drives: dict[Variant, Drive | None] = {Variant(): drive}
 
     def __call__(self, variants: list[Variant]) -> list[Outcome]:
         """Return the outcome of each variant."""
-        drives = [self._drive(variant) for variant in variants]
+        drives = [self._drive_of(variant) for variant in variants]
         which = [i for i, drive in enumerate(drives) if drive is not None]
         found = [IMPOSSIBLE] * len(variants)
         if which:
-            some = _Rows([d for d in drives if d], [variants[i] for i in which], self._tension)
+            of = [drive for drive in drives if drive is not None]
+            some = _Rows(of, [variants[i] for i in which], self._source.take_up)
             for i, outcome in zip(which, some.outcomes(self._now), strict=True):
                 found[i] = outcome
         return found
 
-    def _drive(self, variant: Variant) -> Drive | None:
+    def _drive_of(self, variant: Variant) -> Drive | None:
         """Return the drive that a variant is without its tensions and wrap; None if there is none.
 
         Those are columns.
@@ -54,21 +60,29 @@ class RowEvaluator:
         base = variant._replace(tension=0.0, wrap=0.0, pull=0.0)
         if base not in self._drives:
             try:
-                read = self._source.read(self._source.changes(base))
-                self._drives[base] = read if isinstance(read, Drive) else None
+                self._drives[base] = self._read(base)
             except InputError:
                 self._drives[base] = None
         return self._drives[base]
 
+    def _read(self, variant: Variant) -> Drive:
+        """Return the drive of a variant; of a train at the tensions that its load divides into."""
+        read = self._source.read(self._source.changes(variant))
+        if isinstance(read, Drive):
+            return read
+        belt, pulleys, criteria = read.belt, read.pulleys, read.criteria
+        return replace(self._drive, belt=belt, pulleys=pulleys, criteria=criteria)
+
 
 class _Rows:
-    """Variants as rows: a drive for each, and the columns that differ within drives."""
+    """Variants as rows: a drive for each, and the columns that differ within drives.
+
+    The rows of each pulley in each load case stand below each other.
+    """
 
     def __init__(self, drives: list[Drive], variants: list[Variant], tension: float) -> None:
-        places: dict[int, int] = {}
         self.drives = list({id(drive): drive for drive in drives}.values())
-        for place, drive in enumerate(self.drives):
-            places[id(drive)] = place
+        places = {id(drive): place for place, drive in enumerate(self.drives)}
         self.which = np.array([places[id(drive)] for drive in drives])
         self.lift = np.array([v.tension - tension if v.tension else 0.0 for v in variants])
         self.pull = np.array([v.pull or 1.0 for v in variants])
@@ -77,74 +91,95 @@ class _Rows:
 
     def outcomes(self, now: Outcome) -> list[Outcome]:
         """Return the outcomes; `now` is that of the drive as it is."""
-        n, names = len(self.which), [case.name for case in self.drives[0].load_cases]
         try:
-            found = [self._wrap_arcs(name) for name in names]
+            arcs, held = self._arcs()
         except InputError:
-            return [IMPOSSIBLE] * n
-        laws = list(dict.fromkeys(arc.law for own in found for arc in own))
-        bank = LawBank.of(laws)
-        law = [np.array([laws.index(arc.law) for arc in own])[self.which] for own in found]
-        every = [
-            Arcs(laws=bank, law=laws_of_case, **self._columns(own))
-            for own, laws_of_case in zip(found, law, strict=True)
-        ]
-        held = Held.joined([self._held(n, arcs) for n, arcs in zip(names, every, strict=True)])
-        arcs = _below(every)
+            return [IMPOSSIBLE] * len(self.which)
         solved = solve_arcs(arcs, setting=_SETTING, capacities=False, threads=1)
-        ones = np.ones(len(arcs))
-        levels: list[dict[str, int]] = [{} for _ in range(n)]
-        used: list[dict[str, float]] = [{} for _ in range(n)]
-        passed: list[list[str]] = [[] for _ in range(n)]
-        for name, ranks, margins in row_checks(solved, held, (ones, ones), _SETTING):
-            by_case = np.asarray(ranks).reshape(len(names), n)
-            shares = _shares(margins, RULES[name].at_most)
-            most = np.where(ranks > Level.OK.rank, shares, 0.0).reshape(len(names), n).max(axis=0)
-            worst = by_case.max(axis=0)
-            for i, rank in enumerate(worst.tolist()):
+        factors, shape = (np.ones(len(arcs)),) * 2, (-1, len(self.which))
+        levels: list[dict[str, int]] = [{} for _ in self.which]
+        used: list[dict[str, float]] = [{} for _ in self.which]
+        passed: list[list[str]] = [[] for _ in self.which]
+        for check in row_checks(solved, held, factors, _SETTING):
+            name, ranks = check.rule.name, check.rank
+            missed = _shares(check.margin, check.rule.at_most)
+            shares = np.where(ranks > Level.OK.rank, missed, 0.0)
+            most = shares.reshape(shape).max(axis=0)
+            for i, rank in enumerate(np.asarray(ranks).reshape(shape).max(axis=0).tolist()):
                 if rank > Level.OK.rank:
                     levels[i][name], used[i][name] = rank, float(most[i])
                 elif rank == Level.OK.rank:
                     passed[i].append(name)
-        creeps = np.where(solved.solved, np.abs(solved["exit_creep"]), 0.0)
-        creeps = creeps.reshape(len(names), n).max(axis=0)
-        refused = (solved["status"] == REFUSED).reshape(len(names), n).any(axis=0)
-        others = {name: rank for name, rank in now.levels.items() if name not in NAMES}
-        passes = [name for name in now.passed if name not in NAMES]
+        creeps = np.where(solved.solved, np.abs(solved["exit_creep"]), 0.0).reshape(shape)
+        refused = (solved["status"] == REFUSED).reshape(shape).any(axis=0)
+        others = {name: rank for name, rank in now.levels.items() if name not in _KNOWN}
+        passes = [name for name in now.passed if name not in _KNOWN]
         return [
             Outcome(
                 possible=bool(self.possible[i] and not refused[i]),
                 levels=levels[i] | others,
                 passed=(*passed[i], *passes),
                 used=used[i],
-                creep=float(creeps[i]),
+                creep=float(creeps[:, i].max()),
             )
-            for i in range(n)
+            for i in range(len(self.which))
         ]
 
-    def _in_case(self, name: str) -> list[Drive]:
-        return [drive.in_case(drive.load_case(name)) for drive in self.drives]
+    def _arcs(self) -> tuple[Arcs, Held]:
+        """Return all arcs, and what they are held against."""
+        first = self.drives[0]
+        cases = [
+            [drive.in_case(drive.load_case(case.name)) for drive in self.drives]
+            for case in first.load_cases
+        ]
+        places = [
+            (drives, case.name, index)
+            for drives, case in zip(cases, first.load_cases, strict=True)
+            for index in range(len(first.pulleys))
+        ]
+        found = [
+            [WrapArc.of(d, d.pulleys[index], d.load_case(name)) for d in drives]
+            for drives, name, index in places
+        ]
+        laws = list(dict.fromkeys(arc.law for own in found for arc in own))
+        every, held, bank = list[Arcs](), list[Held](), LawBank.of(laws)
+        for (drives, name, index), own in zip(places, found, strict=True):
+            law = np.array([laws.index(arc.law) for arc in own])[self.which]
+            ends = self._ends(drives, name)
+            arcs = Arcs(laws=bank, law=law, **self._columns(own, ends, index))
+            pulley = first.pulleys[index].name
+            every.append(arcs)
+            held.append(held_by(drives, self.which, pulley, name, arcs, ends))
+        return _below(every), Held.joined(held)
 
-    def _wrap_arcs(self, name: str) -> list[WrapArc]:
-        """Return the arc of each drive in a load case."""
-        return [WrapArc.of(d, d.pulleys[0], d.load_case(name)) for d in self._in_case(name)]
+    def _ends(self, drives: list[Drive], name: str) -> tuple[Array, Array]:
+        """Return entry and exit tensions of every pulley, shape (pulleys, n) each [N].
 
-    def _held(self, name: str, arcs: Arcs) -> Held:
-        """Return what the arcs of a load case are held against."""
-        drives, ends = self._in_case(name), (arcs.entry_tension[None], arcs.exit_tension[None])
-        return held_by(drives, self.which, drives[0].pulleys[0].name, name, arcs, ends)
+        What is no tension is marked, and stands as it is.
+        """
+        pairs = np.array(
+            [
+                [(at.entry, at.exit) for at in (case.tensions[p.name] for p in drive.pulleys)]
+                for drive in drives
+                for case in (drive.load_case(name),)
+            ]
+        )[self.which]
+        slack = pairs.min(axis=(1, 2), keepdims=True)
+        after = slack + self.pull[:, None, None] * (pairs - slack) + self.lift[:, None, None]
+        flying = np.array([centrifugal_of(drive.belt) for drive in drives])[self.which]
+        valid = after.min(axis=(1, 2)) > flying + 1.0
+        self.possible &= valid
+        entry, leaving = np.moveaxis(np.where(valid[:, None, None], after, pairs), -1, 0)
+        return entry.T, leaving.T
 
-    def _columns(self, own: list[WrapArc]) -> dict[str, Array]:
-        """Return the columns of the variants; what cannot be is marked, and stands as it is."""
+    def _columns(
+        self, own: list[WrapArc], ends: tuple[Array, Array], index: int
+    ) -> dict[str, Array]:
+        """Return the columns of a pulley."""
         table = np.array([[_number(arc, name) for name in COLUMNS] for arc in own])[self.which]
         columns = {name: table[:, k].copy() for k, name in enumerate(COLUMNS)}
-        before = [columns[name] for name in _TENSIONS]
-        slack = np.minimum(*before)
-        after = [slack + self.pull * (t - slack) + self.lift for t in before]
-        valid: Flags = np.minimum(*after) > columns["centrifugal_force"] + 1.0
-        self.possible &= valid
-        for name, tension, other in zip(_TENSIONS, after, before, strict=True):
-            columns[name] = np.where(valid, tension, other)
+        for name, tensions in zip(("entry_tension", "exit_tension"), ends, strict=True):
+            columns[name] = tensions[index]
         columns["wrap_angle"] = np.where(self.wrap > 0.0, self.wrap, columns["wrap_angle"])
         return columns
 

@@ -7,7 +7,6 @@ many variants at once, by rows or one by one.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from itertools import combinations
 from math import inf, log
 from typing import NamedTuple
 
@@ -23,11 +22,13 @@ from wraparc.actions.variant import (
     Outcome,
     Variant,
     at_rung,
+    key_of,
     rounded_down,
     rounded_up,
     rung_above,
     rung_below,
 )
+from wraparc.checks.check import Level
 
 Evaluate = Callable[[list[Variant]], list[Outcome]]
 #: Checks that data are missing for: no change of the drive answers them, and none is held to them.
@@ -35,10 +36,16 @@ DATA_CHECKS = (
     "condition", "fit", "usual_sizes", "belt_thickness", "tested_slip_speed", "case_kind",
     "profile_extent", "reserve", "data", "sense",
 )  # fmt: skip
+#: Rank of a check that fails.
+FAILS = Level.FAILS.rank
 #: Largest wrap that is offered [deg].
 MOST_WRAP = 240
 #: Most changes that are made together.
 MOST_CHANGES = 3
+#: Most variants of some kinds of changes that get the belt, pulley or idlers they ask for.
+MOST_COMPLETED = 16
+#: What the size of a change counts against one check that is left: less than any.
+_SIZE = 1e-3
 #: Parts of the step to the first tension that is not allowed, in which the last is looked for.
 EDGE_POINTS = 12
 #: Checks whose miss tells what belt, pulley or idlers would do.
@@ -58,6 +65,11 @@ class Score(NamedTuple):
 
     left: int
     level: int
+
+    @property
+    def weight(self) -> int:
+        """One number to compare by."""
+        return 100 * self.left + self.level
 
 
 class Task(NamedTuple):
@@ -135,14 +147,19 @@ def count_left(levels: Mapping[str, int]) -> int:
 
 
 def score_of(outcome: Outcome) -> Score:
-    """Return how much an outcome leaves; what gross slip or too much creep hides counts too."""
+    """Return how much an outcome leaves.
+
+    What is not checked because of gross slip, or of a creep that is too large dry, counts too.
+    """
     names = [name for name in outcome.levels if name not in DATA_CHECKS]
     ranks = [outcome.levels[name] for name in names]
-    slips = "operating_point" in names or "gross_slip" in names
-    hidden = slips and "creep" not in names and "creep" not in outcome.passed
-    dry = ("creep" in names or hidden) and "wet_creep" not in outcome.passed
-    wet = dry and "wet_creep" not in names
-    return Score(len(names) + hidden + wet, max(ranks, default=0))
+    slips = "operating_point" in names or outcome.levels.get("gross_slip", 0) >= FAILS
+    count = len(names)
+    if slips and "creep" not in names:
+        count += 1
+    if (slips or "creep" in names) and "wet_creep" not in names:
+        count += 1
+    return Score(count, max(ranks, default=0))
 
 
 def is_allowed(outcome: Outcome, now: Outcome) -> bool:
@@ -176,6 +193,8 @@ def find_ways(
     for size in range(1, MOST_CHANGES + 1):
         ways: list[Candidate] = []
         together = _combinations(task, size)
+        if size == MOST_CHANGES:
+            search.coarsen()
         search.prepare(together)
         for kinds in together:
             found = search.best(kinds)
@@ -189,9 +208,9 @@ def find_ways(
                 break
         if ways:
             return Found(tuple(ways), tuple(tried))
-    for found in sorted(tried, key=lambda one: one.score):
-        sure = search.confirmed(found, found.kinds) if found.score < before else None
-        if sure is not None and sure.score < before:
+    for found in sorted(tried, key=lambda one: one.score.weight):
+        sure = search.confirmed(found, found.kinds) if found.score.weight < before.weight else None
+        if sure is not None and sure.score.weight < before.weight:
             return Found((sure,), tuple(tried))
     return Found((), tuple(tried))
 
@@ -199,7 +218,13 @@ def find_ways(
 def _combinations(task: Task, size: int) -> list[tuple[str, ...]]:
     """Return what is changed together, first what answers the governing check."""
     kinds = [*task.first, *(kind for kind in task.kinds if kind not in task.first)]
-    every = combinations(kinds, size)
+    every: list[tuple[str, ...]] = [()]
+    for _ in range(size):
+        every = [
+            (*some, kind)
+            for some in every
+            for kind in kinds[kinds.index(some[-1]) + 1 if some else 0 :]
+        ]
     return [some for some in every if not (RAISE in some and LOWER in some)]
 
 
@@ -210,22 +235,30 @@ class _Search:
         self, task: Task, evaluate: Evaluate, confirm: Callable[[Variant], Outcome]
     ) -> None:
         self.task, self._evaluate, self._confirm = task, evaluate, confirm
-        self._known: dict[Variant, Outcome] = {Variant(): task.now}
+        self._known: dict[str, Outcome] = {key_of(Variant()): task.now}
+
+    def coarsen(self) -> None:
+        """Try fewer tensions and wraps first, where these are many together."""
+        points, step = (self.task.points + 1) // 2, 2 * self.task.wrap_step
+        self.task = self.task._replace(points=points, wrap_step=step)
 
     def outcomes(self, variants: Sequence[Variant]) -> list[Outcome]:
         """Return the outcome of each variant."""
-        new = [v for v in dict.fromkeys(variants) if v not in self._known]
+        keys = [key_of(variant) for variant in variants]
+        every = zip(keys, variants, strict=True)
+        new = {key: variant for key, variant in every if key not in self._known}
         if new:
-            self._known |= dict(zip(new, self._evaluate(new), strict=True))
-        return [self._known[variant] for variant in variants]
+            for key, outcome in zip(new, self._evaluate([*new.values()]), strict=True):
+                self._known[key] = outcome
+        return [self._known[key] for key in keys]
 
     def prepare(self, every: Sequence[tuple[str, ...]]) -> None:
         """Judge what is tried first of several kinds of changes, all at once."""
-        if not self.task.points:
+        if self.task.splits < 2:
             return  # one by one: only what is needed
-        first = {kinds: self._first(kinds) for kinds in every}
-        self.outcomes([variant for variants in first.values() for variant in variants])
-        more = [v for kinds, variants in first.items() for v in self._completed(variants, kinds)]
+        first = [(kinds, self._first(kinds)) for kinds in every]
+        self.outcomes([variant for _, variants in first for variant in variants])
+        more = [v for kinds, variants in first for v in self._completed(variants, kinds)]
         self.outcomes(more)
 
     def _first(self, kinds: tuple[str, ...]) -> list[Variant]:
@@ -250,8 +283,9 @@ class _Search:
         if found is None or found.score.left > 0:
             edges = [v for variants in between for v in self._at_edge(variants, kinds, up)]
             last = self._least(edges, kinds)
-            found = last if found is None or (last and last.score < found.score) else found
-        if found is None or (known is not None and known.score <= found.score):
+            if found is None or (last is not None and last.score.weight < found.score.weight):
+                found = last
+        if found is None or (known is not None and known.score.weight <= found.score.weight):
             return known  # the number that the table of minimum tensions has
         return found
 
@@ -261,7 +295,7 @@ class _Search:
         for variant in _steps(found.variant, self.task):
             outcome = self._confirm(variant)
             score = score_of(outcome)
-            if is_allowed(outcome, self.task.now) and score <= found.score:
+            if is_allowed(outcome, self.task.now) and score.weight <= found.score.weight:
                 return Candidate(variant, outcome, score, kinds)
         return None
 
@@ -270,8 +304,8 @@ class _Search:
         laggings = self.task.laggings if LAGGING in kinds else ("",)
         step = self.task.wrap_step
         first = step * (int(self.task.wrap * (1.0 + 1e-9)) // step + 1)
-        wraps = range(first, MOST_WRAP + 1, step) if self.task.wrap > 0.0 else ()
-        angles = [float(wrap) for wrap in wraps] if WRAP in kinds else [0.0]
+        count = (MOST_WRAP - first) // step + 1 if self.task.wrap > 0.0 else 0
+        angles = [float(first + step * k) for k in range(count)] if WRAP in kinds else [0.0]
         return [Variant(lagging=name, wrap=wrap) for name in laggings for wrap in angles]
 
     def _stated(self, base: Variant, up: bool) -> list[Variant]:
@@ -309,36 +343,43 @@ class _Search:
         return []
 
     def _completed(self, variants: Sequence[Variant], kinds: tuple[str, ...]) -> list[Variant]:
-        """Return variants with the belt, pulley and idlers that their misses ask for."""
+        """Return variants with the belt, pulley and idlers that their misses ask for.
+
+        Of many those that promise most.
+        """
         shares = [kind for kind in kinds if kind in _BY_SHARE]
         if not shares:
             return list(variants)
-        found = []
+        answered = [name for kind in shares for name in _BY_SHARE[kind]]
+        found: list[tuple[float, Variant]] = []
         for variant, outcome in zip(variants, self.outcomes(variants), strict=True):
             complete: Variant | None = variant
             for kind in shares:
                 over = max((outcome.used.get(name, 0.0) for name in _BY_SHARE[kind]), default=0.0)
-                complete = (
-                    None if complete is None else _with_share(complete, self.task, kind, over)
-                )
-            if complete is not None:
-                found.append(complete)
-        return found
+                complete = complete and _with_share(complete, self.task, kind, over)
+            levels = {n: rank for n, rank in outcome.levels.items() if n not in answered}
+            then = outcome._replace(levels=levels)
+            if complete is not None and is_allowed(then, self.task.now):
+                found.append((self._order(complete, score_of(then)), complete))
+        found.sort(key=lambda one: one[0])
+        return [variant for _, variant in found[:MOST_COMPLETED]]
 
     def _least(self, variants: Sequence[Variant], kinds: tuple[str, ...]) -> Candidate | None:
         """Return the variant that leaves least, of several the one that changes least."""
         found: Candidate | None = None
-        complete = self._completed(variants, kinds)
+        least, complete = inf, self._completed(variants, kinds)
         for variant, outcome in zip(complete, self.outcomes(complete), strict=True):
             if not is_allowed(outcome, self.task.now):
                 continue
             one = Candidate(variant, outcome, score_of(outcome), kinds)
-            if found is None or self._order(one) < self._order(found):
-                found = one
+            order = self._order(variant, one.score)
+            if order < least:
+                found, least = one, order
         return found
 
-    def _order(self, of: Candidate) -> tuple[int, int, float]:
-        return (*of.score, size_of(of.variant, self.task))
+    def _order(self, variant: Variant, score: Score) -> float:
+        """Return what sorts variants: what they leave, then how much they change."""
+        return score.weight + _SIZE * size_of(variant, self.task)
 
     def _nearest(self, of: Candidate, kinds: tuple[str, ...]) -> Candidate:
         """Return the same at the tension, or else the wrap, nearest to now that leaves as little.
@@ -365,14 +406,15 @@ class _Search:
         while abs(far - near) > (1 if wrap else self.task.within):
             step = max(1, abs(far - near) // (self.task.splits + 1))
             step = step if far > near else -step
-            places = [*range(near + step, far, step)]
+            places = [near + step * k for k in range(1, (abs(far - near) - 1) // abs(step) + 1)]
             bases = [_at(of.variant, float(p) if wrap else at_rung(p), wrap) for p in places]
             if self.task.splits > 1:
                 self.outcomes(bases)
+                self.outcomes([v for base in bases for v in self._completed([base], kinds)])
             passing = far
             for place, base in zip(places, bases, strict=True):
                 one = self._least([base], kinds)
-                if one is not None and one.score <= of.score:
+                if one is not None and one.score.weight <= of.score.weight:
                     of, passing = one, place
                     break
             near, far = (places[-1] if passing == far else passing - step), passing

@@ -6,7 +6,7 @@ from dataclasses import replace
 from math import isfinite
 
 from wraparc.actions.document import Source
-from wraparc.actions.search import Evaluate, is_allowed
+from wraparc.actions.search import Evaluate, is_allowed, score_of
 from wraparc.actions.variant import IMPOSSIBLE, Outcome, Variant
 from wraparc.arc import Distributed
 from wraparc.checks.check import Level, Verdict
@@ -16,6 +16,9 @@ from wraparc.drive import Drive, Tensions
 from wraparc.errors import InputError
 from wraparc.train import Train
 from wraparc.train.whole import Described, Whole, by_pulley, solved
+
+#: Variants that are solved one by one where rows do not know all that is checked, and at once.
+MOST_SINGLE, MOST_AT_ONCE = 12, 4
 
 
 class SingleEvaluator:
@@ -49,17 +52,23 @@ class SingleEvaluator:
 
 
 class FilteredEvaluator:
-    """Judges variants one by one, but those alone that rows of the even pulley do not rule out."""
+    """Judges variants by rows, and those one by one that promise most by them.
+
+    Rows know no strips and no interval of a law: what these miss they take as it is now.
+    """
 
     def __init__(self, rows: Evaluate, single: SingleEvaluator, now: Outcome) -> None:
-        self._rows, self._single, self._now = rows, single, now
+        self._rows, self._single, self._now, self._left = rows, single, now, MOST_SINGLE
 
     def __call__(self, variants: list[Variant]) -> list[Outcome]:
         """Return the outcome of each variant."""
-        return [
-            self._single.confirmed(variant) if is_allowed(outcome, self._now) else outcome
-            for variant, outcome in zip(variants, self._rows(variants), strict=True)
-        ]
+        found = self._rows(variants)
+        some = [i for i, outcome in enumerate(found) if is_allowed(outcome, self._now)]
+        some.sort(key=lambda i: score_of(found[i]).weight)
+        for i in some[: min(MOST_AT_ONCE, self._left)]:
+            found[i] = self._single.confirmed(variants[i])
+            self._left -= 1
+        return found
 
 
 def outcome_of(result: Whole, stated: bool) -> Outcome:

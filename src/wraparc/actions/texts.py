@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from math import radians
 from typing import NamedTuple
 
-from wraparc.actions.search import Candidate, Task, count_left
-from wraparc.actions.variant import Variant
+from wraparc.actions.search import MOST_WRAP, Candidate, Task, count_left
+from wraparc.actions.variant import WRAP, Variant
 from wraparc.units import Cell, quantity
 from wraparc.units.cell import Form
 
@@ -30,7 +30,7 @@ class Names(NamedTuple):
     slack
         The tension that is raised or lowered: ``T2``.
     pulleys
-        Those whose lagging or diameter is changed; empty where there is one pulley.
+        Those whose lagging or diameter is changed; empty where all are.
     """
 
     slack: str
@@ -39,9 +39,8 @@ class Names(NamedTuple):
 
 def sentence_of(phrases: Sequence[Phrase]) -> str:
     """Return one sentence of the first phrases that it has room for."""
-    first, *others = phrases
-    text = f"{first.verb.capitalize()} {first.rest}"
-    for phrase in others:
+    text = f"{phrases[0].verb.capitalize()} {phrases[0].rest}"
+    for phrase in phrases[1:]:
         longer = f"{text}, or {phrase.verb} {phrase.rest}"
         if len(longer.split()) > MOST_WORDS:
             break
@@ -83,16 +82,19 @@ def _alone(found: Candidate, task: Task, names: Names) -> Phrase | None:
 def _together(of: Variant, names: Names) -> str:
     """Return what is used of several changes."""
     parts = [
-        _lagging(of, names) if of.lagging else "",
+        f"lagging {of.lagging}" if of.lagging else "",
+        f"a pulley of {_up(of.diameter, 'length')}" if of.diameter else "",
         f"wrap {_up(radians(of.wrap), 'angle')}" if of.wrap else "",
         f"{names.slack} {_up(of.tension, 'force')}" if of.tension else "",
         _belt(of) if of.rating else "",
         f"a belt of strength {_up(of.strength, 'force_per_width')}" if of.strength else "",
-        _pulley(of, names) if of.diameter else "",
         f"idler spacing {Cell(of.spacing, 'length', form='down')}" if of.spacing else "",
     ]
-    *first, last = [part for part in parts if part]
-    return f"{', '.join(first)} and {last}" if first else last
+    some = [part for part in parts if part]
+    owned = bool(of.lagging) + bool(of.diameter)
+    if owned:
+        some[owned - 1] += _on(names)
+    return listed(some)
 
 
 def _up(value: float, dimension: str) -> str:
@@ -112,13 +114,20 @@ def _pulley(of: Variant, names: Names) -> str:
 
 
 def _on(names: Names) -> str:
-    *first, last = names.pulleys or ("",)
-    if not last:
-        return ""
-    return f" on {', '.join(first)} and {last}" if first else f" on {last}"
+    return f" on {listed(names.pulleys)}" if names.pulleys else ""
 
 
-def none_text(percent: int) -> str:
+def listed(parts: Sequence[str], word: str = "and") -> str:
+    """Return parts with commas, and a word before the last."""
+    return f"{', '.join(parts[:-1])} {word} {parts[-1]}" if len(parts) > 1 else parts[0]
+
+
+def none_text(percent: int, task: Task) -> str:
     """Return what is said where no change betters the verdict, Te so many percent too large."""
-    text = "No T2, wrap to 240 deg or catalogue lagging passes"
+    tried = ["T2"]
+    if WRAP in task.kinds and task.wrap < MOST_WRAP:
+        tried.append(f"wrap to {MOST_WRAP} deg")
+    if task.laggings:
+        tried.append("catalogue lagging")
+    text = f"No {listed(tried, 'or')} passes"
     return f"{text}: Te is {percent} % too large." if percent > 0 else f"{text}."

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from math import inf
 
-from wraparc.actions.search import MOST_WRAP, Candidate, Evaluate, Score, Task, is_allowed
-from wraparc.actions.variant import WRAP, Variant, at_rung, rung_above
+from wraparc.actions.search import MOST_WRAP, Candidate, Evaluate, Score, Task, is_allowed, score_of
+from wraparc.actions.variant import WRAP, Outcome, Variant, at_rung, rung_above
 
 #: Most percent that are told.
 MOST = 900
@@ -17,8 +17,8 @@ _POINTS = 6
 def percent_too_large(task: Task, evaluate: Evaluate, name: str, tried: Sequence[Candidate]) -> int:
     """Return by how many percent the effective tension is too large for a check, rounded up.
 
-    With the best of all slack-side tensions, wraps and laggings that are tried; 0 where no other
-    effective tension passes it either.
+    With the best of all slack-side tensions, wraps and laggings that are tried. It is that with
+    which the whole verdict is OK, or else the check passes; 0 where it then does not either.
 
     Parameters
     ----------
@@ -31,11 +31,22 @@ def percent_too_large(task: Task, evaluate: Evaluate, name: str, tried: Sequence
     """
     variants = _variants(task, tried, name)
 
-    def passes(percent: int) -> bool:
+    def outcomes(percent: int) -> list[Outcome]:
         factor = 100.0 / (100.0 + percent)
-        outcomes = evaluate([variant._replace(pull=factor) for variant in variants])
-        return any(name not in o.levels and is_allowed(o, task.now) for o in outcomes)
+        some = evaluate([variant._replace(pull=factor) for variant in variants])
+        return [outcome for outcome in some if is_allowed(outcome, task.now)]
 
+    def whole(percent: int) -> bool:
+        return any(score_of(outcome).left == 0 for outcome in outcomes(percent))
+
+    def alone(percent: int) -> bool:
+        return any(name not in outcome.levels for outcome in outcomes(percent))
+
+    return least_percent(whole) or least_percent(alone)
+
+
+def least_percent(passes: Callable[[int], bool]) -> int:
+    """Return the least whole percent that passes; 0 where none up to `MOST` does."""
     low, high = 0, 8
     while not passes(high):
         low, high = high, 2 * high

@@ -46,6 +46,11 @@ class Variant(NamedTuple):
     pull: float = 0.0
 
 
+def key_of(variant: Variant) -> str:
+    """Return what tells a variant from every other one."""
+    return " ".join([str(value) for value in variant])
+
+
 class Outcome(NamedTuple):
     """What the judgement of a variant comes to.
 

@@ -9,14 +9,11 @@ from typing import Any
 import numpy as np
 
 from wraparc.answer.choose_words import (
-    below_standard,
     design_name,
     money,
     next_dearer_words,
-    reason,
     reasons,
     saving_words,
-    silent_standard,
     slack_words,
     unpriced_words,
 )
@@ -35,6 +32,7 @@ from wraparc.answer.sheet import (
     weak_sources,
 )
 from wraparc.checks import Level
+from wraparc.checks import Verdict as Judgement
 from wraparc.checks.check import placed
 from wraparc.choose.across import MOST, is_uneven
 from wraparc.choose.belt_rating import LighterBelt
@@ -88,38 +86,17 @@ def _but_edges(selection: Selection) -> str:
 
 def _verdict(selection: Selection, lighter: LighterBelt | None) -> Verdict:
     if not len(selection.ranking):
-        near = selection.nearest()
-        names = selection.broken(near)
-        counts = {n: int(h.broken.sum()) for n, h in selection.held.items() if h.broken.any()}
-        told = ", ".join(
-            f"{n.replace('_', ' ')} ({c} of {len(selection)})" for n, c in counts.items()
-        )
-        most = max(counts, key=lambda n: counts[n])
-        action = f"Add candidates against what is broken most, {most.replace('_', ' ')}."
-        return Verdict(
-            Level.FAILS,
-            f"No candidate keeps every limit. {action}",
-            (
-                f"Limits broken: {told}.",
-                f"Nearest: {design_name(selection, near)}: "
-                + "; ".join(reason(selection, near, n) for n in names)
-                + ".",
-            ),
-            action=action,
-        )
+        return _single(selection) if len(selection) == 1 else _none(selection)
     best = int(selection.ranking[0])
     currency, years = selection.search.costing.currency, selection.search.costing.years
-    below, silent = below_standard(selection, best), silent_standard(selection, best)
     name = design_name(selection, best, slack=False)
     told = f"Choose {name}"
     judged = selection.verdict
     if judged.level.rank > Level.ATTENTION.rank:
         told = f"The cheapest within the limits fails: {name}"
-    elif below:
-        told = f"No candidate {below}; the cheapest is {name}"
     held = tension_at(selection.search.drive.take_up_place)
     headline = (
-        f"{silent}{told} with a {held} of "
+        f"{told} with a {held} of "
         f"{at_least(float(selection.slack_tension[best]))}: "
         f"{money(float(selection.costs.total[best]), currency)} over {years:g} years, "
         f"worst creep {named('exit_creep', float(selection.creep[best]))}."
@@ -140,29 +117,65 @@ def _verdict(selection: Selection, lighter: LighterBelt | None) -> Verdict:
             "tension "
             f"{tight} of a rated {named('belt_modulus', lighter.belt.rating or 0.0)}{allowed}."
         )
-    here = ("", selection.search.pulley)
-    said = [c.said if c.place.pulley in here else placed(c) for c in judged.missed]
+    said = _said(selection, judged)
     action = " ".join(_other_search(selection))
     headline = " ".join(filter(None, [headline, *said[:1], action]))
     sentences += said[1:]
-    level = Level.ATTENTION if below or silent else Level.OK
-    level = max(level, judged.level, key=lambda of: of.rank)
+    level = max(Level.OK, judged.level, key=lambda of: of.rank)
     lagging = selection.search.laggings[selection.grid.places[0, best]]
     kind = lagging.source_of("law").kind
     ground = ""
     if level is Level.OK:
         ground = judged.ok_word
         ground += f", on {kind} data" if kind in WEAK else ""
+    action = action or (judged.action if said else "")
     return Verdict(level, headline, tuple(sentences), ground, action)
+
+
+def _none(selection: Selection) -> Verdict:
+    """Say that no candidate passes, what most of them miss, and which is closest."""
+    near = selection.nearest()
+    counts = {s.rule.what: int(s.broken.sum()) for s in selection.standings.values()}
+    counts = {what: count for what, count in counts.items() if count}
+    told = ", ".join(f"{what} ({count} of {len(selection)})" for what, count in counts.items())
+    action = f"Add candidates against what most miss, {max(counts, key=lambda n: counts[n])}."
+    return Verdict(
+        Level.FAILS,
+        f"No candidate passes. {action}",
+        (
+            f"Missed: {told}.",
+            f"Closest: {design_name(selection, near)}: {reasons(selection, near)}.",
+        ),
+        action=action,
+    )
+
+
+def _single(selection: Selection) -> Verdict:
+    """Say what the only candidate comes to, as `solve` does: there is nothing to choose."""
+    judged, broken = selection.judged(0), selection.broken(0)
+    failed = set(broken) & selection.search.limits.stated
+    level = Level.FAILS if failed else judged.level
+    told = f"The candidate {design_name(selection, 0)} does not pass."
+    said = _said(selection, judged)
+    headline = " ".join([told, *said[:1]])
+    return Verdict(level, headline, tuple(said[1:]), action=judged.action if said else "")
+
+
+def _said(selection: Selection, judged: Judgement) -> list[str]:
+    """Return what a design misses, the worst first, with the place where it is another pulley."""
+    here = ("", selection.search.pulley)
+    return [c.said if c.place.pulley in here else placed(c) for c in judged.missed]
 
 
 def _other_search(selection: Selection) -> Iterator[str]:
     """Yield what to search instead where the recommended design misses a check."""
-    if not selection.verdict.missed:
+    missed = {check.name for check in selection.verdict.missed}
+    if not missed:
         return
     found = selection.sounder
     if found is None:
-        yield "Search again with that limit, or with other candidates."
+        if missed & selection.search.limits.stated:
+            yield "Search again with that limit, or with other candidates."
         return
     cost = money(float(selection.costs.total[found]), selection.search.costing.currency)
     does = "keeps every check" if selection.judged(found).level is Level.OK else "does not fail"
@@ -224,9 +237,9 @@ def _rejected(selection: Selection, most: int) -> Table:
     bad = [int(i) for i in np.flatnonzero(~selection.feasible)]
     if len(bad) > most:
         rows = [
-            Row(name.replace("_", " "), (f"{int(held.broken.sum())} designs break it",))
-            for name, held in selection.held.items()
-            if held.broken.any()
+            Row(standing.rule.what, (f"{int(standing.broken.sum())} designs miss it",))
+            for standing in selection.standings.values()
+            if standing.broken.any()
         ]
         return Table(
             "Why designs were rejected",
@@ -277,26 +290,18 @@ def _remarks(selection: Selection) -> Iterator[str]:
 
 def _slack_remarks(selection: Selection) -> Iterator[str]:
     search, sag = selection.search, selection.search.limits.sag
-    asked = ["creep", "the safety against gross slip"] + [
-        "the lowest tested wrap pressure"
-    ] * search.limits.tested_pressure
-    if search.drive.criteria.standard.name != "none":
-        asked.append("the design standard")
-    if selection.grid.others > 0.0:
-        least = quantity(selection.grid.others, "force")
-        asked.append(f"the checks of the other pulleys ({least})")
-    if sag is not None:
-        least = quantity(sag.tension, "force")
-        asked.append(f"a belt sag of {percent(sag.share, 2)} of the idler spacing ({least})")
     if search.least_slack:
-        words = " and ".join((", ".join(asked[:-1]), asked[-1]))
         held = tension_at(search.drive.take_up_place)
-        yield f"The {held} is the least for {words}."
+        yield f"The {held} is the least with which every check that it helps passes."
+    sag = sag or search.drive.criteria.sag
     if sag is None:
         yield (
-            "Belt sag may need more slack-side tension; it is not checked, because limits.sag does "
-            "not give the idler spacing and the mass of the belt."
+            "Belt sag may need more slack-side tension; it is not checked, because neither "
+            "limits.sag nor the drive file gives the idler spacing and the mass of the belt."
         )
+        return
+    least = quantity(sag.tension, "force")
+    yield f"Limited is a belt sag of {percent(sag.share, 2)} of the idler spacing ({least})."
 
 
 def _edge_remarks(selection: Selection) -> Iterator[str]:
@@ -330,7 +335,7 @@ def choose_csv(selection: Selection) -> str:
     """Return every design in SI units, with what it breaks, as CSV."""
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
-    names = list(selection.held)
+    names = list(selection.standings)
     writer.writerow(
         [*_CSV_HEADS]
         + [
@@ -344,7 +349,7 @@ def choose_csv(selection: Selection) -> str:
         writer.writerow(
             _csv_row(selection, i, names)
             + [str(rank.get(i, "")), *_uneven_cells(selection, i)]
-            + [_plain(float(selection.held[n].excess[i])) for n in names]
+            + [_plain(float(selection.standings[n].excess[i])) for n in names]
         )
     return out.getvalue()
 
@@ -369,7 +374,7 @@ def _uneven_cells(selection: Selection, i: int) -> list[str]:
     """Say how uneven a design runs; of one not solved across the width, that it was not."""
     if not is_uneven(selection.search):
         return []
-    edge = selection.held["edge_tension"]
+    edge = selection.standings["edge_tension"]
     known = math.isfinite(edge.value[i])
     told = "solved" if known else "not solved" if math.isnan(edge.value[i]) else "not carried"
     numbers = (selection.unevenness[i], edge.value[i], edge.limit[i])
@@ -384,7 +389,7 @@ def choose_document(selection: Selection, lighter: LighterBelt | None = None) ->
     """Return the ranking and the rejections as plain data [SI] for JSON; at most 10,000 designs."""
     some = range(min(len(selection), 10_000))
     return {
-        "format": 1,
+        "format": 2,
         "title": selection.search.title,
         "currency": selection.search.costing.currency,
         "years": selection.search.costing.years,
@@ -398,7 +403,6 @@ def choose_document(selection: Selection, lighter: LighterBelt | None = None) ->
 
 
 def _design_data(selection: Selection, i: int) -> dict[str, Any]:
-    held = selection.held
     return {
         "name": design_name(selection, i),
         "creep": float(selection.creep[i]),
@@ -420,11 +424,12 @@ def _design_data(selection: Selection, i: int) -> dict[str, Any]:
         ],
         "broken": {
             name: {
-                "value": float(held[name].value[i]),
-                "limit": float(held[name].limit[i]),
-                "excess": float(held[name].excess[i]),
-                "where": list(selection.place(int(held[name].where[i]))),
+                "value": float(standing.value[i]),
+                "limit": float(standing.limit[i]),
+                "excess": float(standing.excess[i]),
+                "where": list(selection.place(int(standing.where[i]))),
             }
             for name in selection.broken(i)
+            for standing in (selection.standings[name],)
         },
     }

@@ -5,42 +5,15 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from wraparc.answer.least_tension import at_least, tension_at
 from wraparc.answer.sheet import named, percent, quantity
-from wraparc.choose.limits import NO_TENSION
+from wraparc.checks.check import Check
+from wraparc.checks.of_arc import DESIGN_STANDARD
+from wraparc.checks.of_drive import PULLEY_DIAMETER
+from wraparc.choose.across import EDGE
 from wraparc.choose.ranking import SAME
 from wraparc.choose.search import Search
 from wraparc.choose.selection import Selection, own_slack
-from wraparc.choose.slack_rules import inapplicable, standard_asks
-from wraparc.units import RESULT_DIGITS, Cell, Dimension
-
-SLACK = tension_at("")
-#: limit -> what is limited, its dimension, whether the limit is a least
-_LIMITS: dict[str, tuple[str, Dimension, bool]] = {
-    "traction": ("tension ratio over the largest the friction carries", "number", False),
-    "creep": ("creep", "length", False),
-    "bond_stress": ("shear stress at the bond", "pressure", False),
-    "creep_limit_margin": ("margin to the creep limit", "number", True),
-    "tested_slip_margin": ("margin to the edge of tested slip", "number", True),
-    "gross_slip_margin": ("margin to gross slip", "number", True),
-    "tested_pressure": ("wrap pressure", "pressure", False),
-    "gross_slip": (SLACK, "force", True),
-    "design_standard": (SLACK, "force", True),
-    "least_slack": ("pull over the largest pull within the creep limit", "number", False),
-    "belt_sag": (SLACK, "force", True),
-    "other_pulleys": (SLACK, "force", True),
-    "edge_tension": ("tension of an edge", "force_per_width", False),
-    "belt_rating": ("tension per width", "force_per_width", False),
-    "least_pulley_diameter": ("pulley diameter", "length", True),
-}
-
-
-_WHY = {
-    "belt_sag": " for the sag of the belt",
-    "other_pulleys": " for the checks of the other pulleys",
-    "gross_slip": " for the safety against gross slip",
-    "design_standard": " by the design standard",
-}
+from wraparc.units import RESULT_DIGITS, Cell
 
 
 def money(value: float, currency: str) -> str:
@@ -77,58 +50,33 @@ def design_name(selection: Selection, design: int, *, slack: bool = True) -> str
 
 
 def reason(selection: Selection, design: int, name: str) -> str:
-    """Return how a design stands to a limit it breaks, with by how much."""
-    held = selection.held[name]
-    what, dimension, least = _LIMITS[name]
-    if what == SLACK:
-        what = tension_at(selection.search.drive.take_up_place)
-    value, limit = float(held.value[design]), float(held.limit[design])
-    excess = float(held.excess[design])
-    if name == "traction":
-        by = f"by {percent(excess, 2)}" if math.isfinite(excess) and excess > 2e-3 else ""
-        text = " ".join(p for p in ("gross slip: beyond the largest tension ratio", by) if p)
-    elif name == "edge_tension" and not math.isfinite(value):
+    """Return how a design stands to a check it misses, with by how much."""
+    standing = selection.standings[name]
+    rule, excess = standing.rule, float(standing.excess[design])
+    value, limit = float(standing.value[design]), float(standing.limit[design])
+    if rule is DESIGN_STANDARD and not math.isfinite(limit):
+        text = f"{rule.what} cannot be applied"
+    elif rule is EDGE and not math.isfinite(value):
         text = "a strip of the belt goes slack, or the uneven belt is not carried"
-    elif abs(limit) >= NO_TENSION:
-        text = "no slack-side tension is enough"
-    elif name == "least_slack":
-        text = (
-            "no slack-side tension with wrap pressures in the tested range keeps the creep limit; "
-            f"the pull is {percent(excess, 2)} too large"
-        )
     else:
-        under = least or (name == "tested_pressure" and value < limit)
-        word = "under" if under else "over"
-        text = (
-            f"{what} {quantity(value, dimension)}, "
-            f"{'at least' if under else 'at most'} {quantity(limit, dimension)} "
-            f"({percent(excess, 2)} {word})"
-        )
-    if name in ("least_pulley_diameter", "least_slack"):
+        check = Check(
+            name=name, title=rule.what, level=rule.missed, value=value, limit=limit,
+            dimension=rule.dimension, at_most=rule.at_most,
+        )  # fmt: skip
+        by = f"{percent(excess, 2)} {'over' if rule.at_most else 'under'}"
+        text = f"{rule.what}: {check.texts()[0]}, {check.bound()} ({by})"
+    pulley, case, condition = selection.place(int(standing.where[design]))
+    if rule is PULLEY_DIAMETER:
         return text
-    text += _WHY.get(name, "")
-    case, condition = selection.place(int(held.where[design]))
-    several = len(selection.search.conditions) > 1 and name not in ("belt_rating", "belt_sag")
-    return f"{text} [{case}{', ' + condition if several else ''}]"
+    search = selection.search
+    place = [pulley] if len(search.drive.pulleys) > 1 else []
+    place += [case, condition] if len(search.conditions) > 1 and rule.result else [case]
+    return f"{text} [{', '.join(place)}]"
 
 
 def reasons(selection: Selection, design: int) -> str:
-    """Return every limit that a design breaks, in one line."""
+    """Return every check that a design misses and must not, in one line."""
     return "; ".join(reason(selection, design, n) for n in selection.broken(design))
-
-
-def below_standard(selection: Selection, design: int) -> str:
-    """Return that a design stands below its design standard; nothing where it does not."""
-    asked, rule = standard_asks(selection.search, selection.grid, design)
-    if asked <= float(selection.slack_tension[design]) * (1.0 + 1e-9):
-        return ""
-    return f"reaches the {at_least(asked)} that {rule} asks for"
-
-
-def silent_standard(selection: Selection, design: int) -> str:
-    """Return that the standard that was chosen says nothing on a design; else nothing."""
-    why = inapplicable(selection.search, selection.grid, design)
-    return f"The design standard cannot be applied ({why}). " if why else ""
 
 
 def unpriced_words(selection: Selection) -> Iterator[str]:
@@ -139,7 +87,7 @@ def unpriced_words(selection: Selection) -> Iterator[str]:
     if saved <= SAME * total[best]:
         return
     why = "what more wrap or tension costs (snub pulley, take-up, belt) is not in it"
-    if below_standard(selection, least):
+    if selection.standings[DESIGN_STANDARD.name].missed[least]:
         why = "it is below the design standard"
     yield (
         f"{design_name(selection, least)} would save "

@@ -84,7 +84,7 @@ def _told(check: Check) -> bool:
 
 #: Checks that no condition changes.
 _SAME = (
-    "data", "sense", "usual_sizes", "balance", "condition", "fit", "belt_tension",
+    "data", "belt_mass", "sense", "usual_sizes", "balance", "condition", "fit", "belt_tension",
     "momentary_tension", "belt_safety", "face_pressure", "pulley_diameter", "sag",
     "tested_pressure_max", "tested_pressure_min", "train_balance",
 )  # fmt: skip

@@ -149,7 +149,8 @@ def belt_inputs(belt: Belt) -> Iterator[Input]:
     if shear is not None:
         origin_of = origin("in_plane_shear_stiffness")
         yield _named(group, "in_plane_shear_stiffness", shear, origin_of)
-    for key in (*LAYERS, THICKNESS, "cover_shear_modulus", "mass"):
+    layers = (*LAYERS, THICKNESS, "cover_shear_modulus", "cord_diameter", "cord_pitch", "mass")
+    for key in layers:
         if getattr(belt, key) is not None:
             name = {"thickness": "belt_thickness", "mass": "belt_mass"}.get(key, key)
             yield _named(group, name, getattr(belt, key), origin(key))

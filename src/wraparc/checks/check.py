@@ -21,7 +21,7 @@ ADVICE = ("cover_creep", "creep_interval", "tested_slip_speed", "wet_creep")
 #: Checks of the solution itself: what keeps its limit is rounding, and no number that is known.
 NUMERICAL = ("balance", "train_balance", "across_balance")
 #: What is said of the drive and compares nothing: no row of a table of checks, and not counted.
-SAID = ("data", "sense")
+SAID = ("data", "belt_mass", "sense")
 #: Checks whose failure stands before every other one: the load is not carried at all, or what fails
 #: besides is the pull of drives against each other.
 LEADING = ("gross_slip", "operating_point", "fight")
@@ -355,7 +355,7 @@ class Verdict:
     @property
     def data(self) -> tuple[str, ...]:
         """On what data the answer stands: what is illustrative, estimated, without tests."""
-        told = (c.said for c in self.checks if c.name == "data" and c.says)
+        told = (c.said for c in self.checks if c.name in ("data", "belt_mass") and c.says)
         return tuple(dict.fromkeys(told))
 
     def at(self, pulley: str, load_case: str) -> Verdict:

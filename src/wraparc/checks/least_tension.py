@@ -238,14 +238,16 @@ def _of_tension(rule: Rule, of: Spot, end: float) -> Iterator[Figure]:
 
     The safety factor of a belt, its tension the other way round, asks for what its rating does.
     """
-    words, value = rule.words and rule.words(of), rule.value
-    asks = rule.tension and rule.firm is None
-    if not asks or value is None or words is None or words.missing:
+    words = rule.words and rule.words(of)
+    if not is_of_tension(rule) or words is None or words.missing:
         return
-    more, least = of.state.width * 1e3, rule.tension == "raise"
-    now = value(of.state)
-    rise = (rule.limit_at(of) - now) / (value(of.state.raised(more)) - now) * more
-    yield Figure(rule.name, words.title, end + rise, of.place, at_least=least)
+    rise = rule.rise_to(of.state, rule.limit_at(of))
+    yield Figure(rule.name, words.title, end + rise, of.place, at_least=rule.tension == "raise")
+
+
+def is_of_tension(rule: Rule) -> bool:
+    """Return whether a check compares a tension, or what grows evenly with it, with a limit."""
+    return bool(rule.tension) and rule.firm is None and rule.value is not None
 
 
 def _standard(of: Spot, offset: float) -> Iterator[Figure]:
@@ -271,7 +273,11 @@ def _slip(result: ArcResult, offset: float, place: Place) -> Iterator[Figure]:
 
 def least_with_slip(result: ArcResult, limit: float) -> float:
     """Least slack-side tension with which the slip at the exit keeps a limit, the pull held [N]."""
-    arc = result.arc
+    return least_for_tested_slip(result.arc, limit)
+
+
+def least_for_tested_slip(arc: WrapArc, limit: float) -> float:
+    """Return the same of an arc that is not solved [N]."""
     found = least_for_slip(arc.law.compact(), arc.geometry(), _pull_of(arc), limit)
     return found + arc.centrifugal
 
@@ -281,7 +287,7 @@ def _estimates(spot: Spot, result: ArcResult, offset: float) -> Iterator[Figure]
     factor = estimate_factor(spot)
     for rule, title, asks in (
         (COVER_CREEP, "Creep with the cover of the belt in series", least_when_covered(result)),
-        (CREEP_INTERVAL, "Creep at the end of its interval", least_by_interval(result)),
+        (CREEP_INTERVAL, "Creep at the end of its interval", _by_interval(result)),
         (WET_CREEP, "Creep when wet, estimated", least_when_wet(result, factor)),
     ):
         if not math.isnan(asks):
@@ -309,13 +315,25 @@ def least_when_wet(result: ArcResult, factor: float) -> float:
     return found + arc.centrifugal
 
 
-def least_by_interval(result: ArcResult) -> float:
+def _by_interval(result: ArcResult) -> float:
+    if result.method == "paper":
+        return math.nan
+    return least_by_interval(result.arc, result.capacities.least_exit_tension)
+
+
+def least_by_interval(arc: WrapArc, least: float) -> float:
     """Least slack-side tension for the end of the creep's interval [N]; nan if there is none.
 
     The laws at the ends depend on the tensions: they are found anew at each tension.
+
+    Parameters
+    ----------
+    arc
+        The arc.
+    least
+        Its least slack-side tension for the creep by the law itself, nan if there is none [N].
     """
-    arc, least = result.arc, result.capacities.least_exit_tension
-    if arc.fit is None or not arc.fit.knots or result.method == "paper":
+    if arc.fit is None or not arc.fit.knots:
         return math.nan
     if math.isnan(least):
         return inf

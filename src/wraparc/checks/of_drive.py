@@ -85,7 +85,7 @@ def unknown_trim(first: str, shift: float, opposite: bool, place: Place) -> Chec
     )
 
 
-BELT_THICKNESS = Rule("belt_thickness", "a trim without the thickness of the belt")
+BELT_THICKNESS = Rule("belt_thickness", "a trim without the thickness of the belt", binding=False)
 
 
 def _tight(state: State[Number]) -> Number:

@@ -32,19 +32,20 @@ from wraparc.checks.of_drive import BELT_THICKNESS, open_shift
 from wraparc.checks.of_train import OF_MOTORS
 from wraparc.checks.of_wet import WET_CREEP, estimate_factor
 from wraparc.checks.rule import At, Rule, State
-from wraparc.checks.rules import ACROSS_CHECKS, RESULTS, RULES
+from wraparc.checks.rules import ACROSS_CHECKS, RULES
 from wraparc.checks.sliding import CREEP, NOT_CARRIED, TESTED
 from wraparc.checks.sliding_rows import LoadedRows, pulls_at_sliding, wet_creeps
 from wraparc.checks.usual import USUAL_RULE, least_margin, sizes_of
 from wraparc.drive import Drive
+from wraparc.drive.belt_mass import masses_at
 from wraparc.drive.changes import WORN
 from wraparc.drive.conditions import SCALED
 
 #: Words of a verdict by its code; a row that is no drive at all is not checked.
 LEVELS = tuple(Level)
-_OF_ROWS = tuple(rule for rule in RULES.values() if rule.of_rows)
+OF_ROWS = tuple(rule for rule in RULES.values() if rule.of_rows)
 #: Checks by their code: what governs a row. "" where nothing could be checked.
-NAMES = ("", *(rule.name for rule in _OF_ROWS), *sorted(ACROSS_CHECKS))
+NAMES = ("", *(rule.name for rule in OF_ROWS), *sorted(ACROSS_CHECKS))
 #: What `judge` checks of one drive and no row is checked for, in words.
 NOT_CHECKED = (
     "the energy balance of each solution",
@@ -53,6 +54,29 @@ NOT_CHECKED = (
 )
 #: Relative distance within which two numbers may be the same in the digits that are shown.
 _NEAR = 2e-3
+
+
+@dataclass(frozen=True, eq=False)
+class RowCheck:
+    """One check of many arcs, columns of shape (n,).
+
+    Attributes
+    ----------
+    rule
+        The check.
+    rank
+        Rank of its level, 0 where nothing is compared.
+    margin
+        What sorts those of one level: the margin, or where advice and gross slip stand [-].
+    value, limit
+        What is compared [SI]; nan where the check compares no number.
+    """
+
+    rule: Rule
+    rank: Array
+    margin: Array
+    value: Array
+    limit: Array
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -154,8 +178,12 @@ class Held:
 
     def with_motors(self, load: Array, name: str, most: float) -> Held:
         """Return the same with the torque of motors, and what they bear over their rating [-]."""
-        allowed = {**self.allowed, name: np.full(len(load), most)}
-        return replace(self, allowed=allowed, state=replace(self.state, motor=load))
+        allowing = self.allowing({name: np.full(len(load), most)})
+        return replace(allowing, state=replace(self.state, motor=load))
+
+    def allowing(self, allowed: Mapping[str, Array]) -> Held:
+        """Return the same with other numbers allowed, by name of the check."""
+        return replace(self, allowed={**self.allowed, **allowed})
 
     def limit(self, rule: Rule) -> Array:
         """Return the limit of a check that needs no solution, nan where it has none [SI]."""
@@ -201,10 +229,10 @@ def held_by(
     factors = _factors(drives, which, pulley, arcs.wrap_angle)
     never = np.isinf(factors)
     pull = column(_start) * np.abs(arcs.entry_tension - arcs.exit_tension)
-    firm = {r.name: column(_firm(r.firm)) > 0.0 for r in _OF_ROWS if r.firm is not None}
+    firm = {r.name: column(_firm(r.firm)) > 0.0 for r in OF_ROWS if r.firm is not None}
     strength = column(lambda at: at.drive.belt.breaking_strength)
     return Held(
-        allowed={r.name: column(r.allowed) for r in _OF_ROWS if r.allowed is not None},
+        allowed={r.name: column(r.allowed) for r in OF_ROWS if r.allowed is not None},
         firm=firm,
         state=_state(arcs, strength, _slack_end(entry, leaving, index)),
         sizes=_sizes(every, which, arcs, alone=len(names) == 1),
@@ -271,7 +299,7 @@ def _state(arcs: Arcs, strength: Array, slack_end: Array) -> State[Array]:
 
 def _sizes(every: Sequence[At], which: Integers, arcs: Arcs, *, alone: bool) -> Sizes[Array]:
     given = Sizes(*np.array([sizes_of(at.drive, at.case, at.pulley) for at in every]).T[:, which])
-    none, idle = np.full(len(arcs), math.nan), _idle(arcs.entry_tension, arcs.exit_tension)
+    none, idle = np.full(len(arcs), math.nan), idle_rows(arcs.entry_tension, arcs.exit_tension)
     pull = np.where(idle, none, arcs.entry_tension - arcs.exit_tension)
     return given._replace(
         width=arcs.belt_width,
@@ -288,6 +316,7 @@ def _sizes(every: Sequence[At], which: Integers, arcs: Arcs, *, alone: bool) -> 
         entry=arcs.entry_tension,
         leaving=arcs.exit_tension,
         pull=pull if alone else none,
+        mass=masses_at([at.drive.belt for at in every], which, arcs.belt_width),
     )
 
 
@@ -308,7 +337,7 @@ def _open_trims(
 ) -> Flags:
     """Whether a trim that a pulley takes part in is open, that of the driven ones to the first."""
     entry, leaving = tensions
-    driven = ~_idle(entry, leaving).T
+    driven = ~idle_rows(entry, leaving).T
     first = driven.argmax(axis=1)
     shifts = np.array(
         [
@@ -369,59 +398,62 @@ def worst_of_rows(
     n = len(solved.arcs)
     level, governing = np.zeros(n, dtype=np.int8), np.zeros(n, dtype=np.int8)
     least = np.full(n, math.inf)
-    for name, ranks, margins in row_checks(solved, held, factors, setting):
+    for check in row_checks(solved, held, factors, setting):
+        ranks, margins = check.rank, check.margin
         worse = (ranks > level) | ((ranks == level) & (ranks > 0) & (margins < least))
         worse |= (ranks > 0) & (governing == 0)
         level = np.where(worse, ranks, level).astype(np.int8)
         least = np.where(worse, margins, least)
-        governing = np.where(worse, NAMES.index(name), governing).astype(np.int8)
+        governing = np.where(worse, NAMES.index(check.rule.name), governing).astype(np.int8)
     lost = solved["status"] == REFUSED
     level[lost], governing[lost] = 0, 0
     return level, governing, least
 
 
 def row_checks(
-    solved: BatchResult, held: Held, factors: tuple[Array, Array], setting: Setting
-) -> Iterator[tuple[str, Array, Array]]:
-    """Yield name, rank of the level and margin of every check in the order of `RULES`."""
+    solved: BatchResult,
+    held: Held,
+    factors: tuple[Array, Array],
+    setting: Setting,
+    rules: Sequence[Rule] = OF_ROWS,
+) -> Iterator[RowCheck]:
+    """Yield what each rule finds of every arc; parameters as of `worst_of_rows`."""
     arcs, n = solved.arcs, len(solved.arcs)
     none = np.full(n, math.nan)
-    idle = _idle(arcs.entry_tension, arcs.exit_tension)
+    idle = idle_rows(arcs.entry_tension, arcs.exit_tension)
     of_course = {"largest_slip": solved.largest_slip, "slip_speed": solved.slip_speed}
-    found = {n: of_course[n] if n in of_course else np.abs(solved[n]) for n in RESULTS}
+    names = {rule.result for rule in rules if rule.result}
+    found = {n: of_course[n] if n in of_course else np.abs(solved[n]) for n in names}
     state = replace(held.state, found=found)
     flags = {CONDITION: held.scaled, FIT: held.misfit, BELT_THICKNESS: held.open_trim}
-    for rule in _OF_ROWS:
+    for rule in rules:
         if rule is GROSS_SLIP:
-            yield rule.name, *_gross_slip(solved, held, factors, setting)
+            yield _gross_slip(solved, held, factors, setting)
         elif rule is DESIGN_STANDARD:
             standard = np.where(idle, none, held.standard)
-            yield rule.name, *_compared(rule, held, state.slack, standard)
+            yield _compared(rule, held, state.slack, standard)
         elif rule is COVER_CREEP:
             there = solved.solved & (held.cover_left_out > 0.0)
             if there.any():
                 creep = _covered_creep(arcs, held, factors, setting, np.flatnonzero(there))
                 limit = np.where(there, arcs.creep_limit, none)
-                yield rule.name, *_compared(rule, held, creep, limit)
+                yield _compared(rule, held, creep, limit)
         elif rule is WET_CREEP:
             dry = kept_rows(np.abs(solved["exit_creep"]), arcs.creep_limit, at_most=True)
             wet = np.where(solved.solved & dry & ~idle, held.wet_factor, none)
             creep = wet_creeps(arcs, wet, factors, setting)
             limit = np.where(wet > 0.0, arcs.creep_limit, none)
-            yield rule.name, *_compared(rule, held, creep, limit)
+            yield _compared(rule, held, creep, limit)
         elif rule is USUAL_RULE:
-            yield rule.name, *_usual_sizes(held)
+            yield RowCheck(rule, *_usual_sizes(held), none, none)
         elif rule in flags:
-            yield (
-                rule.name,
-                np.where(flags[rule], rule.missed.rank, 0),
-                np.full(len(arcs), math.inf),
-            )
+            ranks = np.where(flags[rule], rule.missed.rank, 0)
+            yield RowCheck(rule, ranks, np.full(len(arcs), math.inf), none, none)
         elif rule.result or rule.value is not None:
             value, limit = rule.compared(state), held.limit(rule)
             there = ~np.isnan(value) & (solved.solved | (not rule.result))
             limit = np.where(there & ~(idle & rule.pulls), limit, none)
-            yield rule.name, *_compared(rule, held, _rounded(rule, value, limit, state), limit)
+            yield _compared(rule, held, _rounded(rule, value, limit, state), limit)
 
 
 def _rounded(rule: Rule, value: Array, limit: Array, state: State[Array]) -> Array:
@@ -433,8 +465,8 @@ def _rounded(rule: Rule, value: Array, limit: Array, state: State[Array]) -> Arr
     return value
 
 
-def _compared(rule: Rule, held: Held, value: Array, limit: Array) -> tuple[Array, Array]:
-    """Rank of the level and margin of a value against a limit; of a limit of nan there is none."""
+def _compared(rule: Rule, held: Held, value: Array, limit: Array) -> RowCheck:
+    """Return the check of a value against a limit; of a limit of nan there is none."""
     missed, firm = np.full(len(value), rule.missed.rank), held.firm.get(rule.name)
     if firm is not None:
         missed[firm] = Level.FAILS.rank
@@ -453,7 +485,7 @@ def _compared(rule: Rule, held: Held, value: Array, limit: Array) -> tuple[Array
         margins = np.where(never, np.where(firm, NUMBERLESS, math.inf), margins)
         advice = (ranks > Level.OK.rank) & ~firm
     margins = np.where(advice & np.isinf(value), math.inf, margins)  # has no number: last
-    return ranks, np.where(advice, behind(margins), margins)
+    return RowCheck(rule, ranks, np.where(advice, behind(margins), margins), value, limit)
 
 
 def _covered_creep(
@@ -472,7 +504,8 @@ def _covered_creep(
     return found
 
 
-def _idle(entry: Array, leaving: Array) -> Flags:
+def idle_rows(entry: Array, leaving: Array) -> Flags:
+    """Return which arcs transmit no tension."""
     return np.asarray(np.abs(entry - leaving) <= IDLE * entry)
 
 
@@ -502,12 +535,12 @@ def _ranks(value: Array, limit: Array, missed: Array, *, at_most: bool) -> tuple
 
 def _gross_slip(
     solved: BatchResult, held: Held, factors: tuple[Array, Array], setting: Setting
-) -> tuple[Array, Array]:
-    """Return rank and margin of the safety against gross slip."""
+) -> RowCheck:
+    """Return the safety against gross slip."""
     arcs, status, limit = solved.arcs, solved["status"], held.safety
     gone, idle, fault = (
         status == BREAKAWAY,
-        _idle(arcs.entry_tension, arcs.exit_tension) & (status == SOLVED),
+        idle_rows(arcs.entry_tension, arcs.exit_tension) & (status == SOLVED),
         status == UNSOLVED,
     )
     factor, cause = np.full(len(arcs), math.inf), np.full(len(arcs), CREEP, dtype=np.int8)
@@ -526,7 +559,7 @@ def _gross_slip(
     ranks = np.where(gone, NO_GRIP.rank, ranks)
     ranks = np.where(fault, Level.FAULT.rank, ranks)
     leads = ranks == Level.FAILS.rank
-    return ranks, np.where(leads, ahead(margins), margins)
+    return RowCheck(GROSS_SLIP, ranks, np.where(leads, ahead(margins), margins), factor, limit)
 
 
 def _usual_sizes(held: Held) -> tuple[Array, Array]:

@@ -235,6 +235,16 @@ class Rule:
         """Return the limit in a state, of what is allowed."""
         return allowed if self.limit is None else self.limit(allowed, state)
 
+    def rise_to(self, state: State[Number], limit: Number) -> Number:
+        """Return by how much all tensions rise until what is compared meets a limit [N].
+
+        What is compared, a tension or a pressure of it, must grow evenly with them.
+        """
+        more = state.width * 1e3
+        now = self.compared(state)
+        per_tension = (self.compared(state.raised(more)) - now) / more
+        return (limit - now) / per_tension
+
     def limit_at(self, of: Spot) -> float:
         """Return the limit at a spot, nan where nothing is allowed."""
         allowed = self.allowed(of) if self.allowed else None

@@ -165,7 +165,7 @@ def _price(found: LaggingCost) -> Price:
 
 def price_problems(costing: Costing, laggings: list[str], belts: list[str]) -> list[Problem]:
     """Return a problem for every candidate without a price, or priced in another currency."""
-    problems = []
+    problems, others = [], dict[str, list[str]]()
     for name in laggings:
         price = costing.laggings.get(name)
         if price is None:
@@ -178,14 +178,17 @@ def price_problems(costing: Costing, laggings: list[str], belts: list[str]) -> l
                 )
             )
         elif price.cost.currency != costing.currency:
-            problems.append(
-                Problem(
-                    key=f"cost.lagging.{name}",
-                    value=shown(price.cost.currency),
-                    message=f"priced in another currency than {costing.currency}",
-                    remedy="State its cost in one currency; none is converted here.",
-                )
-            )
+            others.setdefault(price.cost.currency, []).append(name)
+    problems += [
+        Problem(
+            key="cost.currency",
+            value=shown(costing.currency),
+            message=f"{', '.join(names)}: priced in {currency}, and none is converted",
+            remedy=f'Write currency = "{currency}", or give material, installation, area and '
+            f"life_years of each in {costing.currency} under [cost.lagging.NAME].",
+        )
+        for currency, names in others.items()
+    ]
     missing = [name for name in belts if name not in costing.belts] if len(belts) > 1 else []
     problems += [
         Problem(

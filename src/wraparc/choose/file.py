@@ -9,11 +9,11 @@ from wraparc.choose.cost import Costing, Price, catalogue_price
 from wraparc.choose.keys import BELT_COST, CHOOSE, COST, LAGGING_COST, LIMITS
 from wraparc.choose.search import Limits, Search
 from wraparc.drive import Belt, Cost, Drive, Lagging
-from wraparc.drive.changes import belt_of
+from wraparc.drive.changes import with_belt
 from wraparc.drive.conditions import DRY, Condition
-from wraparc.errors import nearest, shown
+from wraparc.errors import InputError, Problem, nearest, shown
 from wraparc.files.conditions import condition_of
-from wraparc.files.drive_keys import SAG
+from wraparc.files.drive_build import build_sag
 from wraparc.files.lagging_file import is_path, load_lagging
 from wraparc.provenance import Provenance
 from wraparc.schema.origins import own_provenance
@@ -40,6 +40,7 @@ def load_search(path: str | os.PathLike[str], *, overrides: Overrides = ()) -> S
 
 def search_from_document(document: Document, *, file: str = "", folder: str = "") -> Search:
     """Return the search of a choose file that is already parsed."""
+    _refuse_old(document)
     record, report = read_whole(CHOOSE, document, file)
     drive = report.sure(lambda: drive_of(record, folder, report))
     pulley = pulley_of(record, drive, report)
@@ -71,6 +72,22 @@ def search_from_document(document: Document, *, file: str = "", folder: str = ""
     )
     report.sure(search.conditioned)  # whether every lagging has its friction in every condition
     return search
+
+
+def _refuse_old(document: Document) -> None:
+    """Refuse a limit of the extrapolated margin to gross slip."""
+    limits = document.get("limits")
+    if isinstance(limits, dict) and "gross_slip_margin" in limits:
+        raise InputError(
+            [
+                Problem(
+                    key="limits.gross_slip_margin",
+                    value=shown(limits["gross_slip_margin"]),
+                    message="an extrapolated ratio, which no check compares",
+                    remedy="Give limits.gross_slip_safety, the least safety against gross slip.",
+                )
+            ]
+        )
 
 
 def _refuse_between(drive: Drive, report: Report) -> None:
@@ -111,7 +128,7 @@ def _belts(candidates: Record, drive: Drive, report: Report) -> tuple[Belt, ...]
         place = ("candidates", "belts", position)
         row = report.tried(lambda name=name: catalogue.belt(name), place)  # type: ignore[misc]
         if row is not None:
-            found.append(belt_of(row, drive.belt))
+            found.append(with_belt(drive, row).belt)
     return _unlike(found, ("candidates", "belts"), report)
 
 
@@ -131,7 +148,7 @@ def _limits(record: Any, drive: Drive, report: Report) -> Limits:
     share = record.get("rating_share", {})
     check_cases(((name, (*record.place, "rating_share", name)) for name in share), drive, report)
     rating = share if record.get("belt_rating", True) else None
-    sag = SAG.built(record.get("sag"), report)
+    sag = build_sag(record.get("sag"), drive.belt.mass, report)
     return LIMITS.built(record, report, rating=rating, sag=sag) or Limits()
 
 

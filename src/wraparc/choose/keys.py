@@ -38,7 +38,12 @@ LIMITS = Table(
     Entry("bond_stress", kind=_STRESS),
     Entry("creep_limit_margin", kind=_MARGIN, title="Least margin to the creep limit"),
     Entry("tested_slip_margin", kind=_MARGIN, title="Least margin to the edge of tested slip"),
-    Entry("gross_slip_margin", kind=_MARGIN, title="Least margin to gross slip"),
+    Entry(
+        "gross_slip_safety",
+        "That of the drive if left out.",
+        _MARGIN,
+        title="Least safety against gross slip",
+    ),
     Entry(
         "tested_pressure", "Kept if left out.", Flag(), title="Wrap pressures in the tested range"
     ),
@@ -50,7 +55,7 @@ LIMITS = Table(
         title="Share of the rating",
     ),
     Entry("least_pulley_diameter", "Kept if left out.", Flag()),
-    Entry("sag", "Not looked at if left out.", SAG, title="Belt sag"),
+    Entry("sag", "That of the drive if left out.", SAG, title="Belt sag"),
     of=Limits,
 )
 

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from wraparc.arc.wrap_arc import of_belt
 from wraparc.arrays import Array, Integers
@@ -14,6 +15,8 @@ from wraparc.checks.least_tension import taut
 from wraparc.choose.cost import Costing, price_problems
 from wraparc.drive import Belt, Drive, Lagging, LoadCase, Pulley, Sag, Tensions
 from wraparc.drive.conditions import DRY, Condition
+from wraparc.drive.criteria import is_wet
+from wraparc.drive.drive import covered_problems
 from wraparc.drive.pitch import centrifugal_of, pitch_offset
 from wraparc.errors import InputError, Problem
 from wraparc.friction import FrictionLaw
@@ -23,44 +26,69 @@ from wraparc.units import display
 MOST_DESIGNS = 2_000_000
 
 
+#: Checks of what the rating of a belt allows.
+RATING = ("belt_tension", "momentary_tension", "belt_safety")
+
+
 @dataclass(frozen=True, kw_only=True)
 class Limits:
-    """What a design must keep, in every load case and condition.
+    """What a design must pass by other numbers than those of its drive, or need not pass.
 
     Attributes
     ----------
     creep
         Largest creep at the exit [m], or None for that of the drive.
     bond_stress
-        Largest shear stress at the bond of the lagging [Pa], or None.
-    creep_limit_margin, tested_slip_margin, gross_slip_margin
-        Least margins to the three capacities [-], or None.
+        Largest shear stress at the bond of the lagging [Pa], or None for that of the lagging.
+    gross_slip_safety
+        Least safety factor against gross slip [-], or None for those of the drive.
+    creep_limit_margin, tested_slip_margin
+        Least margins to these capacities [-], or None.
     tested_pressure
         Whether wrap pressures must lie in the range the lagging was tested in.
     rating
-        Tension allowed as a multiple of the belt rating by load case, 1 where not named [-];
-        None to leave the rating out.
+        Tension allowed as a multiple of the belt rating by load case, as in the drive where not
+        named [-]; None to leave the rating out.
     least_pulley_diameter
         Whether the least pulley diameter of the belt must be kept.
     sag
-        Sag of the slack belt between idlers, or None to leave it out.
+        Sag of the slack belt between idlers, or None for that of the drive.
     """
 
     creep: float | None = None
     bond_stress: float | None = None
+    gross_slip_safety: float | None = None
     creep_limit_margin: float | None = None
     tested_slip_margin: float | None = None
-    gross_slip_margin: float | None = None
     tested_pressure: bool = True
     rating: Mapping[str, float] | None = field(default_factory=dict, hash=False)
     least_pulley_diameter: bool = True
     sag: Sag | None = None
 
     @property
+    def left_out(self) -> frozenset[str]:
+        """Names of the checks that no design must pass."""
+        rating = () if self.rating is not None else RATING
+        pressure = () if self.tested_pressure else ("tested_pressure_max", "tested_pressure_min")
+        diameter = () if self.least_pulley_diameter else ("pulley_diameter",)
+        return frozenset((*rating, *pressure, *diameter))
+
+    @property
+    def stated(self) -> frozenset[str]:
+        """Names of the checks that have another limit than in the drive, or none."""
+        own = {
+            "creep": self.creep is not None,
+            "bond_stress": self.bond_stress is not None,
+            "gross_slip": self.gross_slip_safety is not None,
+            "sag": self.sag is not None,
+            **dict.fromkeys(RATING, bool(self.rating)),
+        }
+        return self.left_out | {name for name, other in own.items() if other}
+
+    @property
     def needs_capacities(self) -> bool:
-        """Whether a margin is limited."""
-        margins = (self.creep_limit_margin, self.tested_slip_margin, self.gross_slip_margin)
-        return any(m is not None for m in margins)
+        """Whether a margin to a capacity is limited."""
+        return self.creep_limit_margin is not None or self.tested_slip_margin is not None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -117,6 +145,7 @@ class Search:
                 Problem(key="belt.speed", message=message, remedy="Add it to the drive file.")
             )
         problems += self._pushed()
+        problems += covered_problems(self.drive.criteria, (c.name for c in self.conditions), ())
         if len(self) > MOST_DESIGNS:
             problems.append(
                 Problem(
@@ -171,6 +200,11 @@ class Search:
         return self.slack_tensions == ()
 
     @property
+    def is_wet(self) -> bool:
+        """Whether one of the conditions is wet."""
+        return any(is_wet(condition.name) for condition in self.conditions)
+
+    @property
     def creep_limit(self) -> float:
         """Creep that is accepted [m]."""
         if self.limits.creep is not None:
@@ -202,8 +236,6 @@ class Grid:
     thickness, diameter, wrap_angle, slack
         Values [m, m, rad, N]; slack is that at the take-up, nan where the load cases have their
         own.
-    others
-        Tension at the take-up that the other pulleys ask for [N].
     """
 
     search: Search
@@ -212,7 +244,6 @@ class Grid:
     diameter: Array
     wrap_angle: Array
     slack: Array
-    others: float = 0.0
 
     @classmethod
     def of(cls, search: Search) -> Grid:
@@ -240,12 +271,16 @@ class Grid:
         return replace(self, slack=slack)
 
     def tensions(self, case: LoadCase) -> tuple[Array, Array]:
-        """Entry and exit tension of every design in a load case [N]."""
-        t = case.tensions[self.search.pulley]
+        """Entry and exit tension of every pulley of every design, (pulleys, n) each [N]."""
         end, own = self.search.drive.take_up_tension(case), np.isnan(self.slack)
-        exit_side = np.where(own, t.exit, self.slack + (t.exit - end))
-        entry_side = np.where(own, t.entry, self.slack + (t.entry - end))
-        return entry_side, exit_side
+        pairs = [case.tensions[p.name] for p in self.search.drive.pulleys]
+        entry = np.stack([np.where(own, t.entry, self.slack + (t.entry - end)) for t in pairs])
+        leaving = np.stack([np.where(own, t.exit, self.slack + (t.exit - end)) for t in pairs])
+        return entry, leaving
+
+    def index(self, pulley: str) -> int:
+        """Place of a pulley among those of the drive."""
+        return [p.name for p in self.search.drive.pulleys].index(pulley)
 
     def ends(self, case: LoadCase) -> tuple[Array, Array]:
         """Tension at the take-up of the whole drive, and the largest at any pulley [N]."""
@@ -256,7 +291,11 @@ class Grid:
         return slack, np.where(own, most, slack + (most - end))
 
     def drive(self, design: int, condition: int = 0) -> Drive:
-        """Return one design as a drive of its pulley alone, in a condition."""
+        """Return the drive of one design in a condition.
+
+        The other pulleys are as they are, and pull as they do. Where a condition of the search is
+        wet, wet is not estimated from dry friction too.
+        """
         s, i = self.search, design
         lagging = s.conditions[condition].lagging(s.laggings[int(self.places[0, i])])
         pulley = replace(
@@ -265,34 +304,32 @@ class Grid:
         )  # fmt: skip
         cases = []
         for case in s.drive.load_cases:
-            entry, leaving = (float(tension[i]) for tension in self.tensions(case))
-            pair = {pulley.name: Tensions(entry=entry, exit=leaving)}
-            cases.append(replace(case, condition="", tensions=pair))
-        belt, criteria = s.belts[int(self.places[2, i])], s.drive.criteria
-        alone = replace(criteria, take_up=replace(criteria.take_up, after=""))
-        conveyor, held = s.drive.conveyor, float(self.slack[i])
+            ends = zip(
+                s.drive.pulleys, *(t[:, i].tolist() for t in self.tensions(case)), strict=True
+            )
+            pairs = {p.name: Tensions(entry=entry, exit=leaving) for p, entry, leaving in ends}
+            cases.append(replace(case, condition="", tensions=pairs))
+        conveyor, held, criteria = s.drive.conveyor, float(self.slack[i]), s.drive.criteria
         if conveyor is not None and not np.isnan(held):
             conveyor = replace(conveyor, take_up_tension=held, counterweight=None)
+        pulleys = tuple(pulley if p.name == s.pulley else p for p in s.drive.pulleys)
+        laggings = (lag for p in pulleys for lag in (p.lagging, *p.conditions))
+        if s.is_wet and not any(is_wet(lag.condition) for lag in laggings):
+            criteria = replace(criteria, covered=True)
         return replace(
-            s.drive, belt=belt, pulleys=(pulley,), load_cases=tuple(cases), criteria=alone,
-            conveyor=conveyor,
+            s.drive, belt=s.belts[int(self.places[2, i])], pulleys=pulleys,
+            load_cases=tuple(cases), conveyor=conveyor, criteria=criteria,
         )  # fmt: skip
 
-    def whole(self, design: int, condition: int = 0) -> Drive:
-        """Return one design in its drive: other pulleys as they are, and pulling as they do."""
-        alone, of = self.drive(design, condition), self.search
-        cases = []
-        for case, own in zip(of.drive.load_cases, alone.load_cases, strict=True):
-            rise = own.tensions[of.pulley].exit - case.tensions[of.pulley].exit
-            ends = {
-                name: Tensions(entry=t.entry + rise, exit=t.exit + rise)
-                for name, t in case.tensions.items()
-            }
-            cases.append(replace(own, tensions=ends))
-        pulleys = (alone.pulleys[0] if p.name == of.pulley else p for p in of.drive.pulleys)
-        return replace(
-            alone, pulleys=tuple(pulleys), load_cases=tuple(cases), criteria=of.drive.criteria
-        )
+    def described(self, condition: int) -> tuple[list[Drive], Integers]:
+        """Return the drives that differ in lagging or belt, and which each design is, (n,)."""
+        key = self.places[0] * len(self.search.belts) + self.places[2]
+        _, first, which = np.unique(key, return_index=True, return_inverse=True)
+        drives = [self.drive(int(i), condition) for i in first]
+        sag = self.search.limits.sag
+        if sag is not None:
+            drives = [replace(d, criteria=replace(d.criteria, sag=sag)) for d in drives]
+        return drives, np.ravel(which)
 
     def _compression_modulus(self) -> Array:
         """E_c of every design, by the shape of its blocks at its thickness [Pa]."""
@@ -313,34 +350,59 @@ class Grid:
     @property
     def offset(self) -> Array:
         """E of every design, 0 where its belt is not known that well [m]."""
-        side = self.search.base.side
-        return self._of_belts(lambda belt, law: pitch_offset(belt, side) or 0.0)
+        return self._of_belts(lambda belt, law: pitch_offset(belt, self.search.base.side) or 0.0)
 
     def arcs(self, case: LoadCase, condition: int) -> Arcs:
-        """Return the arcs of every design in one load case and condition."""
+        """Return the arcs of the pulley of every design in one load case and condition."""
         s = self.search
-        entry, leaving = self.tensions(case)
-        base = s.base
-        modulus = np.array([b.modulus for b in s.belts])[self.places[2]]
-        speed = np.array([np.nan if b.speed is None else b.speed for b in s.belts])
-        columns = {
+        columns: dict[str, ArrayLike] = {
             "lagging": self.places[0] + condition * len(s.laggings),
-            "entry_tension": entry,
-            "exit_tension": leaving,
             "diameter": self.diameter,
             "wrap_angle": self.wrap_angle,
             "lagging_thickness": self.thickness,
             "compression_modulus": self._compression_modulus(),
-            "belt_width": s.drive.belt.width,
-            "belt_modulus": modulus,
             "creep_limit": s.creep_limit,
-            "belt_speed": speed[self.places[2]],
-            "overrun": np.nan if base.overrun is None else base.overrun,
-            "recovery": float(base.recovery),
             "pitch_offset": self.offset,
             "cover_compliance": self._of_belts(
-                lambda belt, law: of_belt(belt, base.side, law)["cover_compliance"]
+                lambda belt, law: of_belt(belt, s.base.side, law)["cover_compliance"]
             ),
+        }
+        return self._arcs(s.base, case, columns, s.conditioned())
+
+    def arcs_beside(self, pulley: Pulley, case: LoadCase) -> Arcs:
+        """Return the arcs of another pulley, which is as it is in every design."""
+        drive, law = self.search.drive, pulley.lagging.law
+        columns: dict[str, ArrayLike] = {
+            "diameter": pulley.diameter,
+            "wrap_angle": pulley.wrap_angle,
+            "creep_limit": drive.creep_limit_of(pulley),
+            "pitch_offset": self._of_belts(lambda belt, _: pitch_offset(belt, pulley.side) or 0.0),
+            "cover_compliance": self._of_belts(
+                lambda belt, _: of_belt(belt, pulley.side, law)["cover_compliance"]
+            ),
+        }
+        return self._arcs(pulley, case, columns, (pulley.lagging,))
+
+    def _arcs(
+        self,
+        pulley: Pulley,
+        case: LoadCase,
+        columns: Mapping[str, ArrayLike],
+        laggings: Sequence[Lagging],
+    ) -> Arcs:
+        """Return arcs of a pulley of every design, with what belt and tensions say of them."""
+        s, at = self.search, self.index(pulley.name)
+        entry, leaving = self.tensions(case)
+        speed = np.array([np.nan if b.speed is None else b.speed for b in s.belts])
+        table = {
+            **columns,
+            "entry_tension": entry[at],
+            "exit_tension": leaving[at],
+            "belt_width": s.drive.belt.width,
+            "belt_modulus": np.array([b.modulus for b in s.belts])[self.places[2]],
+            "belt_speed": speed[self.places[2]],
+            "overrun": np.nan if pulley.overrun is None else pulley.overrun,
+            "recovery": float(pulley.recovery),
             "centrifugal_force": self._of_belts(lambda belt, law: centrifugal_of(belt)),
         }
-        return arcs_of_table(columns, s.conditioned())
+        return arcs_of_table(table, laggings)

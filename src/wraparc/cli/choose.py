@@ -56,11 +56,11 @@ def _picture(selection: Selection, units: System) -> Content:
 def _lightest(selection: Selection) -> LighterBelt | None:
     from wraparc import catalogue
     from wraparc.choose.belt_rating import least_belt
-    from wraparc.drive.changes import belt_of
+    from wraparc.drive.changes import with_belt
 
     if not len(selection.ranking):
         return None
     best = int(selection.ranking[0])
-    now = selection.search.belts[selection.grid.places[2, best]]
-    kinds = [row for row in catalogue.belts() if row.kind == now.kind]
-    return least_belt(selection, best, [belt_of(row, now) for row in kinds])
+    now = selection.grid.drive(best)
+    kinds = [row for row in catalogue.belts() if row.kind == now.belt.kind]
+    return least_belt(selection, best, [with_belt(now, row).belt for row in kinds])

@@ -13,7 +13,7 @@ CONVEYOR = Table(
         example='length = "600 m"',
     ),
     Entry("lift", "From tail to head, negative downhill; 0 if left out."),
-    need("belt_mass", "Mass of the belt per length."),
+    Entry("belt_mass", "Mass of the belt per length; or mass of [belt]."),
     need("carry_idler_mass", "Rotating mass of the carrying idlers per length."),
     need("return_idler_mass", "Rotating mass of the return idlers per length."),
     Entry("material_mass", "Mass of the material per length of full belt; or capacity."),

@@ -16,6 +16,7 @@ SIDES: tuple[Side, ...] = ("pulley", "carry")
 #: Shear modulus of a belt cover where none is given [Pa], an estimate, and what it lies between.
 COVER_SHEAR_MODULUS, COVER_SHEAR_BAND = 1.0e6, (0.8e6, 1.5e6)
 MOST_THICKNESS = 0.06  # of a belt [m]
+MOST_PITCH = 0.1  # of its cords [m]
 #: Layers of a belt, by key, and the key of their sum.
 LAYERS, THICKNESS = ("pulley_cover", "carry_cover", "carcass"), "thickness"
 #: Pound-force an inch [N/m]: ratings of American belts stand in their names, 1000/4, by it.
@@ -60,6 +61,9 @@ class Belt:
         Of the whole belt [m], or None: what is not given of the layers follows from it.
     cover_shear_modulus
         Shear modulus of the covers [Pa], or None for an estimate.
+    cord_diameter, cord_pitch
+        Of steel cords: diameter, and distance from axis to axis [m], or None. The diameter is the
+        carcass, and either stands for the other.
     mass
         Per length of belt [kg/m], or None.
     provenance
@@ -88,6 +92,8 @@ class Belt:
         "carcass": Limit("length", open=True, most=MOST_THICKNESS),
         "thickness": Limit("length", open=True, most=MOST_THICKNESS),
         "cover_shear_modulus": Limit("pressure", least=1e5, most=1e8, rigid=True),
+        "cord_diameter": Limit("length", open=True, most=MOST_THICKNESS),
+        "cord_pitch": Limit("length", open=True, most=MOST_PITCH),
         "mass": Limit("mass_per_length", open=True, most=1e6),
     }
 
@@ -107,17 +113,43 @@ class Belt:
     carcass: float | None = None
     thickness: float | None = None
     cover_shear_modulus: float | None = None
+    cord_diameter: float | None = None
+    cord_pitch: float | None = None
     mass: float | None = None
     provenance: Provenance = field(default_factory=Provenance)
     sources: Mapping[str, Provenance] = field(default_factory=dict, hash=False)
 
     def __post_init__(self) -> None:
         problems = name_problems("name", self.name) + limit_problems(self, self.LIMITS)
-        raise_all(problems or self._layer_problems())
+        raise_all(problems or self._cord_problems() or self._layer_problems())
+
+    def _cord_problems(self) -> list[Problem]:
+        """Return what contradicts in diameter and pitch of the cords."""
+        diameter, pitch, carcass = self.cord_diameter, self.cord_pitch, self.carcass
+        if diameter is not None and carcass is not None and abs(diameter - carcass) > 1e-6:
+            message = f"{display(diameter, 'length')}, and carcass is {display(carcass, 'length')}"
+            remedy = "Of steel cord both are one number: leave one of them out."
+            return [Problem(message=message, remedy=remedy, key="cord_diameter")]
+        cord = self.cord
+        if pitch is None:
+            return []
+        if cord is None:
+            remedy = 'Write cord_diameter = "5.6 mm", or leave cord_pitch out.'
+            message = f"{display(pitch, 'length')} without cord_diameter"
+            return [Problem(message=message, remedy=remedy, key="cord_pitch")]
+        if pitch <= cord:
+            message = (
+                f"{display(pitch, 'length')}, at most the cord diameter {display(cord, 'length')}"
+            )
+            remedy = "The pitch is the distance between the axes of neighbouring cords."
+            return [Problem(message=message, remedy=remedy, key="cord_pitch")]
+        return []
 
     def _layer_problems(self) -> list[Problem]:
         """Return what is wrong with the layers together."""
-        given = {key: getattr(self, key) for key in LAYERS if getattr(self, key) is not None}
+        of = {"pulley_cover": self.pulley_cover, "carry_cover": self.carry_cover}
+        of["carcass"] = self.cord
+        given = {key: value for key, value in of.items() if value is not None}
         total, whole = sum(given.values()), self.thickness
         short, key, remedy = total <= MOST_THICKNESS, THICKNESS, ""
         if whole is None:
@@ -127,7 +159,7 @@ class Belt:
         else:
             rounding = 1e-9 * whole
             # a cover may be nothing, a carcass may not
-            short = total <= whole + (rounding if self.carcass is not None else -rounding)
+            short = total <= whole + (rounding if self.cord is not None else -rounding)
             message = f"too much for a belt of {display(whole, 'length')}"
             remedy = "Give the thickness of the whole belt, or leave it out."
             if len(given) == len(LAYERS) and total < 0.98 * whole:
@@ -137,6 +169,11 @@ class Belt:
             return []
         message = f"{' + '.join(given)} = {display(total, 'length')}, {message}"
         return [Problem(message=message, remedy=remedy, key=key)]
+
+    @property
+    def cord(self) -> float | None:
+        """Thickness of the carcass, or diameter of the cords [m]; None where neither is known."""
+        return self.carcass if self.cord_diameter is None else self.cord_diameter
 
     def source_of(self, part: str) -> Provenance:
         """Return where one number came from: its own source, else the belt's."""

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from wraparc.catalogue import CatalogueBelt, DesignFriction, belts, design_friction
 from wraparc.drive.belt import Belt
+from wraparc.drive.belt_mass import is_of_layers, layer_mass, layer_source, with_mass
 from wraparc.drive.conditions import Condition
 from wraparc.drive.drive import Drive
 from wraparc.drive.lagging import Lagging
@@ -97,11 +98,14 @@ def with_belt(drive: Drive, row: CatalogueBelt) -> Drive:
 def belt_of(row: CatalogueBelt, like: Belt) -> Belt:
     """Return a belt of the catalogue in the width and at the speed of another.
 
-    Width, speed and covers keep the provenance they had there.
+    Width, speed, covers and a mass that is stated keep the provenance they had there; else the mass
+    is that of the layers, where its maker publishes them.
     """
-    kept = ("width", "speed", "pulley_cover", "carry_cover", "cover_shear_modulus")
+    kept = ["width", "speed", "pulley_cover", "carry_cover", "cover_shear_modulus"]
+    computed = like.mass is None or is_of_layers(like)
+    kept += [] if computed else ["mass"]
     sources = {key: like.source_of(key) for key in kept if getattr(like, key) is not None}
-    return Belt(
+    belt = Belt(
         name=row.name,
         kind=row.kind,
         modulus=row.modulus,
@@ -112,6 +116,10 @@ def belt_of(row: CatalogueBelt, like: Belt) -> Belt:
         sources=sources | row.sources,
         **{key: getattr(like, key) for key in kept},
     )
+    if not computed or belt.pulley_cover is None or belt.carry_cover is None:
+        return belt
+    mass = layer_mass(row, belt.width, belt.pulley_cover, belt.carry_cover)
+    return belt if mass is None else with_mass(belt, mass, layer_source(row))
 
 
 def other_carcass(belt: Belt) -> CatalogueBelt:

@@ -8,6 +8,7 @@ from typing import ClassVar, Protocol, Self, TypeVar
 
 from wraparc.conveyor import Conveyor
 from wraparc.drive.belt import LAYERS, THICKNESS, Belt
+from wraparc.drive.belt_mass import OF_CONVEYOR, is_stated, with_mass
 from wraparc.drive.criteria import Criteria, is_wet
 from wraparc.drive.lagging import Lagging
 from wraparc.drive.load_case import LoadCase, heaviest
@@ -35,7 +36,7 @@ class Drive(Viewable):
     title
         What the drive is called.
     belt
-        The belt.
+        The belt; without a mass of its own it has that of `conveyor`.
     pulleys
         The drive pulleys in belt order, 1 to 10.
     load_cases
@@ -72,6 +73,10 @@ class Drive(Viewable):
     read_from: ReadFrom | None = field(default=None, compare=False, repr=False)
 
     def __post_init__(self) -> None:
+        if self.conveyor is not None and not is_stated(self.belt):
+            mass = self.conveyor.belt_mass
+            if self.belt.mass != mass:
+                object.__setattr__(self, "belt", with_mass(self.belt, mass, OF_CONVEYOR))
         problems = limit_problems(self, self.LIMITS)
         if not 1 <= len(self.pulleys) <= MOST_PULLEYS:
             message = f"a drive needs 1 to {MOST_PULLEYS} pulleys"

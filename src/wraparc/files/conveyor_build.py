@@ -5,18 +5,19 @@ from typing import Any
 
 from wraparc.conveyor import Conveyor, State, choices
 from wraparc.conveyor.keys import CONVEYOR
-from wraparc.drive import Drive, LoadCase, TakeUp, Tensions
+from wraparc.drive import Belt, Drive, LoadCase, TakeUp, Tensions
 from wraparc.errors import InputError
 from wraparc.files.tensions import KEYS
 from wraparc.schema.problems import Report
 from wraparc.schema.tables import Record
 
 _TWICE = "the [conveyor] table gives the tensions already"
+_MASS = 'Write for example belt_mass = "22 kg/m", or mass in [belt].'
 _LEAVE = "Leave it out, or the [conveyor] table."
 
 
 def build_conveyor(
-    record: Record, take_up: TakeUp, report: Report
+    record: Record, belt: Belt | None, take_up: TakeUp, report: Report
 ) -> tuple[Conveyor | None, tuple[LoadCase, ...]]:
     """Return the conveyor of a drive file and its load cases; what is wrong is reported."""
     pulleys = [item for item in record.get("pulley") or () if isinstance(item, Record)]
@@ -34,7 +35,8 @@ def build_conveyor(
     if take_up.after:
         message = "the [conveyor] table says where its take-up stands, take_up_distance"
         report.add(("take_up", "after"), message, "Leave it out.", take_up.after)
-    conveyor = _conveyor(given, record.get("belt"), take_up, report)
+    mass = None if belt is None else belt.mass
+    conveyor = _conveyor(given, record.get("belt"), mass, take_up, report)
     states = conveyor and report.tried(conveyor.states, given.place, given.raw)
     if not states or not pulleys or "name" not in pulleys[0]:
         return conveyor, ()
@@ -64,8 +66,16 @@ def conveyor_of(drive: Drive) -> Conveyor | None:
     return conveyor if cases == drive.load_cases else None
 
 
-def _conveyor(given: Record, belt: Any, take_up: TakeUp, report: Report) -> Conveyor | None:
+def _conveyor(
+    given: Record, belt: Any, mass: float | None, take_up: TakeUp, report: Report
+) -> Conveyor | None:
     more: dict[str, Any] = {"sheave_ratio": take_up.sheave_ratio}
+    if not {"belt_mass"} & {*given, *given.faulty}:
+        more["belt_mass"] = mass
+        if mass is None:
+            given.faulty.add("belt_mass")
+            if not isinstance(belt, Record) or belt.sound("mass"):
+                report.add((*given.place, "belt_mass"), "missing", _MASS)
     speed = belt.get("speed") if isinstance(belt, Record) else None
     if speed is not None:
         more["speed"] = speed

@@ -11,13 +11,15 @@ from wraparc.drive import (
     Criteria,
     Lagging,
     Pulley,
+    Sag,
 )
 from wraparc.drive.belt import LAYERS, THICKNESS
+from wraparc.drive.belt_mass import layer_mass, layer_source
 from wraparc.drive.drive import flying_problems, side_problems
 from wraparc.errors import InputError, Problem
 from wraparc.files.across_keys import build_across
 from wraparc.files.conditions import Conditions, at_its_place, condition_of
-from wraparc.files.drive_keys import BELT, CRITERIA, PULLEY
+from wraparc.files.drive_keys import BELT, CRITERIA, PULLEY, SAG
 from wraparc.files.lagging_build import build_laggings
 from wraparc.files.lagging_file import catalogue_laggings, is_path, lagging_record
 from wraparc.files.lagging_keys import LAGGING_GIVEN
@@ -54,6 +56,9 @@ def build_belt(record: Record, report: Report) -> Belt | None:
         published = preset.sources
         if "thickness" in record:  # the carcass is what the covers leave of it
             more, published = {**more, "carcass": None}, {}
+        mass = _preset_mass(record, preset)
+        if mass is not None:
+            more, published = {**more, "mass": mass}, published | {"mass": layer_source(preset)}
         sources = published | {key: own for key in Belt.LIMITS if key in record} | sources
     elif "modulus" not in record and record.sound("modulus"):
         remedy = 'Write modulus = "12960 kN/m", or choose a belt by preset.'
@@ -69,6 +74,14 @@ def build_belt(record: Record, report: Report) -> Belt | None:
     built = BELT.built(sound, layers, sources={}, **more)
     sound.pop(THICKNESS, None)
     return built or BELT.built(sound, Report(), sources={}, **more)
+
+
+def _preset_mass(record: Record, preset: catalogue.CatalogueBelt) -> float | None:
+    """Return the mass of a preset with covers of one's own [kg/m], None where it is not known."""
+    known = all(key in record for key in ("width", "pulley_cover", "carry_cover"))
+    if not known or "carcass" in record or "mass" in record:
+        return None
+    return layer_mass(preset, record["width"], record["pulley_cover"], record["carry_cover"])
 
 
 def report_together(
@@ -261,7 +274,34 @@ def _wrap_of(record: Record, report: Report) -> float | None:
     )
 
 
-def build_criteria(record: Record, report: Report) -> Criteria:
+def build_criteria(record: Record, belt: Belt | None, report: Report) -> Criteria:
     """Return what a drive is held against; what is wrong is reported."""
-    parts = {e.attribute: e.kind.built(record.get(e.key), report) for e in CRITERIA}
+    parts = {
+        e.attribute: e.kind.built(record.get(e.key), report) for e in CRITERIA if e.key != "sag"
+    }
+    parts["sag"] = build_sag(record.get("sag"), _mass(record, belt), report)
     return Criteria(**{name: part for name, part in parts.items() if part is not None})
+
+
+def build_sag(record: object, mass: float | None, report: Report) -> Sag | None:
+    """Return what a ``[sag]`` table asks for; a belt of a mass [kg/m] hangs there if left out."""
+    if not isinstance(record, Record):
+        return None
+    more: dict[str, Any] = {}
+    if not {"line_mass"} & {*record, *record.faulty}:
+        if mass is None:
+            remedy = 'Write for example line_mass = "22 kg/m", or mass in [belt].'
+            report.add((*record.place, "line_mass"), "missing", remedy)
+            return None
+        more["line_mass"] = mass
+    built: Sag | None = SAG.built(record, report, **more)
+    return built
+
+
+def _mass(record: Record, belt: Belt | None) -> float | None:
+    """Return the mass of the belt, that of a conveyor before one computed of layers [kg/m]."""
+    conveyor = record.get("conveyor")
+    of_conveyor: float | None = None
+    if isinstance(conveyor, Record) and "belt_mass" in conveyor:
+        of_conveyor = conveyor["belt_mass"]
+    return belt.mass if belt is not None and of_conveyor is None else of_conveyor

@@ -104,10 +104,10 @@ def drive_from_document(
     conditions = build_conditions(record, report)
     pulleys = [build_pulley(item, laggings, conditions, report) for item in records]
     check_width(records, belt_record, report)
-    criteria = build_criteria(record, report)
+    criteria = build_criteria(record, belt, report)
     conveyor = None
     if "conveyor" in document:
-        conveyor, cases = build_conveyor(record, criteria.take_up, report)
+        conveyor, cases = build_conveyor(record, belt, criteria.take_up, report)
     else:
         cases = _load_cases(record, records, belt, criteria.take_up, report)
     report_together(belt_record, belt, pulleys, least_tensions(cases), report)

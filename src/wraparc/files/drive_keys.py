@@ -74,7 +74,17 @@ BELT = Table(
         "Shear modulus of the covers; 1 MPa if left out, an estimate of what lies between 0.8 and "
         "1.5 MPa.",
     ),
-    Entry("mass", "Mass of a metre of belt."),
+    Entry("cord_diameter", "Diameter of steel cords; the carcass if left out."),
+    Entry(
+        "cord_pitch",
+        "Distance between the axes of neighbouring steel cords: the rubber between them shears "
+        "too, by 1 to 2.5 mm more than the cover; left out, it is not counted.",
+    ),
+    Entry(
+        "mass",
+        "Mass of a metre of belt; or belt_mass of [conveyor]. Of a preset with both covers it is "
+        "computed where its maker publishes the masses of its layers.",
+    ),
     *ORIGINS,
     of=Belt,
 )
@@ -199,11 +209,10 @@ SAG = Table(
         example='idler_spacing = "3 m"',
         attribute="spacing",
     ),
-    need(
+    Entry(
         "line_mass",
-        "Of the belt, with its load on a carrying strand.",
+        "Of the belt, with its load on a carrying strand; the mass of the belt if left out.",
         title="Mass per length",
-        example='line_mass = "22 kg/m"',
     ),
     Entry("share", "2 % if left out.", title="Sag over spacing"),
     of=Sag,

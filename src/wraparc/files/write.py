@@ -20,6 +20,7 @@ from wraparc.drive import (
     LoadCase,
     Pulley,
 )
+from wraparc.drive.belt_mass import is_of_conveyor, is_of_layers, with_mass
 from wraparc.drive.changes import WORN
 from wraparc.drive.conditions import SCALED
 from wraparc.errors import InputError, input_error
@@ -154,13 +155,15 @@ def _drive_table(drive: Drive) -> Document:
     design = _design(drive)
     conveyor = conveyor_of(drive)
     cases = [case for case in drive.load_cases if case.name != DESIGN and conveyor is None]
+    light = conveyor is not None and is_of_conveyor(drive.belt)
+    mass = {} if light else {"belt_mass": None}  # one of the two tables has it
     return DRIVE.written(
         drive,
         format=FORMAT,
-        belt=_belt_table(drive.belt),
+        belt=_belt_table(drive.belt, light=light),
         pulley=[_pulley_table(pulley, design) for pulley in drive.pulleys],
         load_case=[_case_table(case) for case in cases] or None,
-        conveyor=CONVEYOR.written(conveyor) if conveyor else None,
+        conveyor=CONVEYOR.written(conveyor, **mass) if conveyor else None,
         **_criteria_tables(drive.criteria),
     )
 
@@ -172,19 +175,24 @@ def _criteria_tables(criteria: Criteria) -> Tables:
     return {key: table for key, table in tables.items() if table}
 
 
-def _belt_table(belt: Belt) -> Tables:
+def _belt_table(belt: Belt, *, light: bool = False) -> Tables:
+    """Return the table of a belt, `light` without its mass."""
+    belt = with_mass(belt, None) if light else belt
     table = BELT.written(belt)
     preset = next((b for b in catalogue.belts() if b.name == belt.name), None)
     if preset is None:
         return table
     usual = BELT.written(preset)
-    short = {key: value for key, value in table.items() if value != usual.get(key)}
+    own = with_mass(belt, None) if is_of_layers(belt) else belt  # the preset computes it again
+    short = {key: v for key, v in BELT.written(own).items() if v != usual.get(key)}
     # reading a preset says by itself that other numbers are given
-    stated = {key: of for key, of in belt.sources.items() if of != Provenance()}
+    stated = {key: of for key, of in own.sources.items() if of != Provenance()}
     short["sources"] = {key: PROVENANCE.written(of) for key, of in stated.items()}
     short = {"preset": preset.name, **{k: v for k, v in short.items() if v}}
     report = Report()
-    return short if build_belt(BELT.read(short, (), report), report) == belt else table
+    again = build_belt(BELT.read(short, (), report), report)
+    again = with_mass(again, None) if again is not None and light else again
+    return short if again == belt else table
 
 
 def _pulley_table(pulley: Pulley, design: Mapping[str, Any]) -> Tables:

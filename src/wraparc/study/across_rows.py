@@ -14,6 +14,7 @@ from wraparc.batch.arcs import Arcs
 from wraparc.checks import Level, of_across
 from wraparc.checks.of_rows import NAMES
 from wraparc.drive import Drive, LoadCase, Pulley, Tensions
+from wraparc.drive.belt_mass import in_width
 
 #: Results across the width that a study can keep; not a number where the pulley is even.
 ACROSS_OUTPUTS = (*UNEVEN, "levelling_depth")
@@ -88,7 +89,7 @@ def _row(
         wrap_angle=row["wrap_angle"], creep_limit=row["creep_limit"],
         overrun=None if np.isnan(row["overrun"]) else row["overrun"],
     )  # fmt: skip
-    belt = replace(drive.belt, width=row["belt_width"], modulus=row["belt_modulus"])
+    belt = replace(in_width(drive.belt, row["belt_width"]), modulus=row["belt_modulus"])
     tensions = Tensions(entry=row["entry_tension"], exit=row["exit_tension"])
     load = replace(case, condition="", tensions={own.name: tensions})
     return replace(drive, belt=belt, pulleys=(own,), load_cases=(load,)), own, load

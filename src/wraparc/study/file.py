@@ -17,6 +17,7 @@ from wraparc.checks import before
 from wraparc.checks.of_wet import estimate_factor
 from wraparc.checks.rule import At
 from wraparc.drive import DESIGN, Drive, Lagging
+from wraparc.drive.criteria import is_wet
 from wraparc.errors import InputError, nearest
 from wraparc.files.drive_file import overridden
 from wraparc.files.drive_keys import DRIVE, TENSIONS
@@ -111,6 +112,9 @@ def study_from_document(document: Document, *, file: str = "", folder: str = "")
     conditions = [read_condition(r, report) for r in record.get("condition", ())]
     known = tuple(c for c in conditions if c is not None)
     _shares(known, report)
+    if drive.criteria.covered and any(is_wet(c.name) for c in known):
+        message = "the drive is covered = true, and a covered drive never runs wet"
+        report.add(("condition",), message, "Leave out covered or the condition.")
     outputs = _outputs(record, OUTPUTS, report)
     sensitivity = _sensitivity(record, report)
     report.raise_all()

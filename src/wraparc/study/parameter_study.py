@@ -19,6 +19,8 @@ from wraparc.batch.scaled import solve_scaled
 from wraparc.checks.of_arc import NO_GRIP
 from wraparc.checks.of_rows import LEVELS, NAMES, Held, kept_rows, worst_of_rows
 from wraparc.drive import GRAVITY, Drive
+from wraparc.drive.conditions import DRY
+from wraparc.drive.criteria import is_wet
 from wraparc.provenance import Provenance
 from wraparc.study.across_rows import solve_rows
 from wraparc.study.distributions import Distribution
@@ -268,7 +270,8 @@ class Study:
         factor = rows.friction_factor
         if condition is not None:
             factor = factor * condition.factor(values, size)
-            rows = replace(rows, held=replace(rows.held, wet_factor=np.zeros(size)))
+            if condition.name != DRY or any(is_wet(of.name) for of in self.conditions):
+                rows = replace(rows, held=replace(rows.held, wet_factor=np.zeros(size)))
         good = np.flatnonzero(rows.valid)
         solved = self._solved(rows, good, factor, progress)
         columns: Columns = {}

@@ -16,6 +16,7 @@ from wraparc.batch.laws import LawBank
 from wraparc.checks.of_rows import Held, held_by
 from wraparc.checks.of_train import MOMENTARY_LOAD, MOTOR_LOAD
 from wraparc.drive import Drive, Lagging, Tensions, with_peaks
+from wraparc.drive.belt_mass import masses_at
 from wraparc.drive.pitch import centrifugal_force, pitch_offset
 from wraparc.drive.tension_rules import LoadGiven
 from wraparc.errors import InputError
@@ -218,7 +219,7 @@ class DriveSource:
             if field in values:
                 columns[column] = np.asarray(values[field], dtype=float)
         drives = [b.drive for b in known]
-        mass = np.array([d.belt.mass or 0.0 for d in drives])[which]
+        mass = masses_at([d.belt for d in drives], which, columns["belt_width"])
         lift = np.nan_to_num(centrifugal_force(mass, columns["belt_speed"]))
         columns["centrifugal_force"] = lift
         divided: Divided | None = None

@@ -164,7 +164,7 @@ def train_from_document(
     if "conveyor" in record:
         message = "gives the tensions of one drive, and those of a train stand in [train]"
         report.add(("conveyor",), message, "Leave one of them out.")
-    criteria = build_criteria(record, report)
+    criteria = build_criteria(record, belt, report)
     train = record.get("train")
     ends = (
         [train[key] for key in ("entry_tension", "exit_tension") if key in train]

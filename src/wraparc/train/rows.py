@@ -13,6 +13,7 @@ from wraparc.arc.wrap_arc import of_belt
 from wraparc.arrays import Array, Integers
 from wraparc.batch.arcs import Arcs
 from wraparc.batch.laws import LawBank
+from wraparc.drive.belt_mass import in_width, masses_at
 from wraparc.drive.pitch import centrifugal_force, pitch_offset
 from wraparc.train.motor_rows import MotorRows
 from wraparc.train.motors import TorqueFollower
@@ -112,7 +113,8 @@ class TrainRows:
     @property
     def lift(self) -> Array:
         """M v^2 of the belt, 0 where its mass or its speed is not known, shape (n,) [N]."""
-        mass = np.full(len(self), self.train.belt.mass or 0.0)
+        which = np.zeros(len(self), dtype=np.intp)
+        mass = masses_at([self.train.belt], which, self.whole["belt_width"])
         return np.nan_to_num(centrifugal_force(mass, self.whole["belt_speed"]))
 
     @property
@@ -174,8 +176,7 @@ class TrainRows:
         one = {name: float(v[i]) for name, v in self.whole.items()}
         of_drums = {name: v[i].tolist() for name, v in self.drums.items()}
         belt = replace(
-            self.train.belt,
-            width=one["belt_width"],
+            in_width(self.train.belt, one["belt_width"]),
             modulus=one["belt_modulus"],
             speed=_known(one["belt_speed"]),
         )

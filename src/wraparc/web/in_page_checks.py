@@ -220,7 +220,7 @@ def least_when_wet(result: FoundArc, factor: float) -> float:
     return result.found.least_when_wet if factor > 0.0 else nan
 
 
-def least_by_interval(_result: FoundArc) -> float:
+def least_by_interval(_arc: WrapArc, _least: float) -> float:
     """Return nan: the page does not find the interval."""
     return nan
 

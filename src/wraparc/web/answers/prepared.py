@@ -8,6 +8,7 @@ from pydantic import ConfigDict, GetJsonSchemaHandler
 
 from wraparc.arc import WrapArc
 from wraparc.drive import Belt, Drive, LoadCase, Pulley, Tensions
+from wraparc.drive.belt_mass import is_of_layers
 from wraparc.drive.load_case import DESIGN
 from wraparc.drive.tension_rules import EFFECTIVE
 from wraparc.files.tensions import KEYS
@@ -183,9 +184,10 @@ def _inputs(
     """Yield the numbers that change the arc in one plain way and nothing else."""
     limits = {**Belt.LIMITS, **Pulley.LIMITS, **pulley.lagging.LIMITS}
     at: tuple[str | int, ...] = ("pulley", 0)
-    held = set[str]()
+    # a mass of the layers grows with the width
+    held = {"width"} if is_of_layers(drive.belt) else set[str]()
     if not _of_pulley(case):  # a case may take its pull from the numbers of the pulley
-        held = {with_ for key, with_ in _WITH.items() if _somewhere(document, key)}
+        held |= {with_ for key, with_ in _WITH.items() if _somewhere(document, key)}
     for name in _BELT:
         if name not in held:
             yield _input(("belt", name), name, limits[name])

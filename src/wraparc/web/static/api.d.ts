@@ -1173,5 +1173,12 @@ export type CellForm =
   | "slip"
   | "apart"
   | "slip apart"
+  | "maximum"
+  | "minimum"
+  | "exceeds"
+  | "below"
   | "to"
-  | "-";
+  | "-"
+  | "to up"
+  | "to down"
+  | "of";

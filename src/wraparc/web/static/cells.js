@@ -13,10 +13,10 @@ const SMALL = "wear_coefficient";
 const GIVEN_DIGITS = 4;
 const _EXACT = 1e-9;
 const RESULT_DIGITS = 3;
+const MOST_DIGITS = 9;
 const NONE = "-";
 const _UNBOUNDED = "without bound";
 const _SLOW = 0.1;
-const MOST_DIGITS = 9;
 
 export function digits___equal(a, b) {
   return Math.abs(a - b) <= _EXACT * max(Math.abs(a), Math.abs(b));
@@ -79,59 +79,156 @@ export function display__display(value, dimension, system = "si", digits = 4) {
   return display__joined(display__parts(value, dimension, system, digits));
 }
 
+/** Return a number rounded up or down to so many digits; itself where they hold it. */
+export function digits___stepped(number, digits, up) {
+  let step;
+  let shown = Number(digits__rounded(number, digits));
+  if (digits___equal(shown, number)) {
+    return number;
+  }
+  if (shown < number === up) {
+    step = 10.0 ** (exponentOf(scientific(shown, 3)) - digits + 1);
+    shown += up ? step : -step;
+  }
+  return shown;
+}
+
 /** Return the same of a value that shows in units of a size. */
 export function digits__safe(value, size, up) {
-  let step;
   let number = value / size;
   if (!Number.isFinite(number) || Math.abs(number) < NOTHING) {
     return value;
   }
-  let shown = Number(digits__rounded(number, RESULT_DIGITS));
-  if (digits___equal(shown, number)) {
-    return value;
-  }
-  if (shown < number === up) {
-    step = 10.0 ** (exponentOf(scientific(shown, 3)) - RESULT_DIGITS + 1);
-    shown += up ? step : -step;
-  }
-  return shown * size;
+  let shown = digits___stepped(number, RESULT_DIGITS, up);
+  return shown === number ? value : shown * size;
 }
 
-export function cell___with_unit(value, dimension, digits, form, other, system) {
-  let begin, first, last, more;
-  const told = (number, places) => {
-    let size, unit;
-    if (!Number.isFinite(number)) {
-      return [Number.isNaN(number) ? NONE : _UNBOUNDED, ""];
+/** Return a number with so many significant digits, zeros at its end too. */
+export function digits__every_digit(number, digits) {
+  if (number === 0.0 || !Number.isFinite(number)) {
+    return digits__rounded(number, digits);
+  }
+  let text = scientific(number, digits - 1);
+  let power = exponentOf(text);
+  return -4 <= power && power < 12 ? decimal(Number(text), max(0, digits - 1 - power)) : text;
+}
+
+/** Return a number with so many significant digits, rounded up or down. */
+export function digits__rounded_limit(number, digits, up) {
+  if (!Number.isFinite(number) || Math.abs(number) < NOTHING) {
+    return digits__rounded(number, digits);
+  }
+  let shown = digits___stepped(number, digits, up);
+  return shown === number ? digits__rounded(number, digits) : digits__every_digit(shown, digits);
+}
+
+export function cell___slow_unit(system) {
+  return system === "si" ? ["mm/s", 0.001] : ["in/s", 0.0254];
+}
+
+/** Return number and unit; a slow speed, where it may be one of slip, in mm/s. */
+export function cell___told(number, dimension, system, digits, slow) {
+  let size, unit;
+  if (!Number.isFinite(number)) {
+    return [Number.isNaN(number) ? NONE : _UNBOUNDED, ""];
+  }
+  if (slow && dimension === "speed" && Math.abs(number) < _SLOW) {
+    const found1 = cell___slow_unit(system);
+    unit = found1[0];
+    size = found1[1];
+    return [display__display(number / size, "number", system, digits), unit];
+  }
+  return display__parts(number, dimension, system, digits);
+}
+
+/** Return a value in as many digits as tell it from another. */
+export function cell___apart(value, dimension, digits, other, system, slow) {
+  let more, text;
+  for (let each1 = digits, end1 = MOST_DIGITS + 1; each1 < end1; each1++) {
+    more = each1;
+    text = display__joined(cell___told(value, dimension, system, more, slow));
+    if (text !== display__joined(cell___told(other, dimension, system, more, slow))) {
+      return text;
     }
-    if (
-      (form === "slip" || form === "slip apart") &&
-      dimension === "speed" &&
-      Math.abs(number) < _SLOW
-    ) {
-      [unit, size] = system === "si" ? ["mm/s", 0.001] : ["in/s", 0.0254];
-      return [display__display(number / size, "number", system, places), unit];
+  }
+  return display__joined(cell___told(value, dimension, system, digits, slow));
+}
+
+/** Return a number in the unit that `_told` shows it with. */
+export function cell___in_unit(number, dimension, system, unit) {
+  let factor, other, zero;
+  let row = unitRow(dimension, system);
+  const found1 = cell___slow_unit(system);
+  let slow = found1[0];
+  let size = found1[1];
+  if (dimension === "speed" && unit === slow) {
+    return number / size;
+  }
+  for (const each2 of row.larger) {
+    [, other, factor, zero] = each2;
+    if (unit === other) {
+      return (number - zero) / factor;
     }
-    return display__parts(number, dimension, system, places);
-  };
+  }
+  return number / row.factor;
+}
+
+/** Return number and unit of a limit, rounded up or down. */
+export function cell___limit(number, dimension, system, digits, up) {
+  const found1 = cell___told(number, dimension, system, digits, true);
+  let text = found1[0];
+  let unit = found1[1];
+  if (!Number.isFinite(number) || Math.abs(number) < NOTHING) {
+    return [text, unit];
+  }
+  return [digits__rounded_limit(cell___in_unit(number, dimension, system, unit), digits, up), unit];
+}
+
+/** Return a number rounded up or down to so many significant digits, zeros at its end too. */
+export function digits__every_limit_digit(number, digits, up) {
+  return digits__every_digit(digits___stepped(number, digits, up), digits);
+}
+
+/** Return a limit, or a value that misses it, in as many digits as tell both apart. */
+export function cell___missed(value, dimension, digits, form, other, system) {
+  let first, more, second;
+  let is_limit = form === "maximum" || form === "minimum";
+  let up = form === "minimum" || form === "below";
+  let [limit, compared] = is_limit ? [value, other] : [other, value];
+  let plain = cell___limit(limit, dimension, system, digits, up);
+  if (Number.isNaN(other) || !(Number.isFinite(value) && Number.isFinite(other))) {
+    return display__joined(is_limit ? plain : cell___told(value, dimension, system, digits, true));
+  }
+  let told = cell___told(compared, dimension, system, digits, true);
+  if (display__joined(plain) !== display__joined(told)) {
+    return display__joined(is_limit ? plain : told);
+  }
+  for (let each1 = digits + 1, end1 = MOST_DIGITS + 1; each1 < end1; each1++) {
+    more = each1;
+    first = digits__every_limit_digit(cell___in_unit(limit, dimension, system, told[1]), more, up);
+    second = digits__every_digit(cell___in_unit(compared, dimension, system, told[1]), more);
+    if (first !== second) {
+      return display__joined([is_limit ? first : second, told[1]]);
+    }
+  }
+  return display__joined(is_limit ? plain : told);
+}
+
+/** Return two numbers, with one unit where both have the same. */
+export function cell___range(value, dimension, digits, form, other, system) {
+  let last;
+  let first = cell___told(other, dimension, system, digits, false);
   if (form === "to" || form === "-") {
-    first = told(other, digits);
-    last = told(value, digits);
+    last = cell___told(value, dimension, system, digits, false);
     if (display__joined(first) === display__joined(last)) {
       return display__joined(last);
     }
-    begin = first[1] === last[1] ? first[0] : display__joined(first);
-    return begin + (form === "to" ? " to " : "-") + display__joined(last);
+  } else {
+    last = cell___limit(value, dimension, system, digits, form === "to up");
   }
-  if (form === "apart" || form === "slip apart") {
-    for (let each1 = digits, end1 = MOST_DIGITS + 1; each1 < end1; each1++) {
-      more = each1;
-      if (display__joined(told(value, more)) !== display__joined(told(other, more))) {
-        return display__joined(told(value, more));
-      }
-    }
-  }
-  return display__joined(told(value, digits));
+  let begin = first[1] === last[1] ? first[0] : display__joined(first);
+  let between = form === "of" ? " of " : " to ";
+  return begin + (form === "-" ? "-" : between) + display__joined(last);
 }
 
 /** Return what a cell of such a value shows, see `Cell`. */
@@ -143,13 +240,25 @@ export function cell__cell_text(value, dimension, digits, form, other, system) {
   if (form === "percent") {
     return display__display(100.0 * value, "number", system, digits) + " %";
   }
-  if (form === "up" || form === "bare up" || form === "down") {
-    value = digits__safe(value, row.factor, form !== "down");
+  if (form === "bare up") {
+    return digits__rounded_limit(value / row.factor, digits, true);
   }
-  if (form === "bare" || form === "bare up") {
+  if (form === "bare") {
     return display__display(value / row.factor, "number", system, digits);
   }
-  return cell___with_unit(value, dimension, digits, form, other, system);
+  if (form === "apart" || form === "slip apart") {
+    return cell___apart(value, dimension, digits, other, system, form === "slip apart");
+  }
+  if (form === "exceeds" || form === "below" || form === "maximum" || form === "minimum") {
+    return cell___missed(value, dimension, digits, form, other, system);
+  }
+  if (form === "to" || form === "-" || form === "to up" || form === "to down" || form === "of") {
+    return cell___range(value, dimension, digits, form, other, system);
+  }
+  if (form === "up" || form === "down") {
+    return display__joined(cell___limit(value, dimension, system, digits, form === "up"));
+  }
+  return display__joined(cell___told(value, dimension, system, digits, form === "slip"));
 }
 
 /** Return the cell of a value [SI]; `NONE` for nan and words for infinity. */

@@ -173,6 +173,19 @@ export class Interface {
   }
 }
 
+export class Guess {
+  constructor(entry, leaving, creep) {
+    this.entry = entry;
+    this.leaving = leaving;
+    this.creep = creep;
+  }
+  *[Symbol.iterator]() {
+    yield this.entry;
+    yield this.leaving;
+    yield this.creep;
+  }
+}
+
 export class Course {
   constructor(place, creep, tension, stage, ratio) {
     this.place = place;
@@ -258,19 +271,6 @@ export class Traction {
     yield this.by_creep;
     yield this.by_pressure;
     yield this.slip;
-  }
-}
-
-export class Guess {
-  constructor(entry, leaving, creep) {
-    this.entry = entry;
-    this.leaving = leaving;
-    this.creep = creep;
-  }
-  *[Symbol.iterator]() {
-    yield this.entry;
-    yield this.leaving;
-    yield this.creep;
   }
 }
 
@@ -674,6 +674,8 @@ export class Found {
     cause,
     lift,
     least_for_slip,
+    least_when_covered,
+    least_when_wet,
     largest_slip,
     slip_speed,
     covered_creep,
@@ -687,6 +689,8 @@ export class Found {
     this.cause = cause;
     this.lift = lift;
     this.least_for_slip = least_for_slip;
+    this.least_when_covered = least_when_covered;
+    this.least_when_wet = least_when_wet;
     this.largest_slip = largest_slip;
     this.slip_speed = slip_speed;
     this.covered_creep = covered_creep;
@@ -701,6 +705,8 @@ export class Found {
     yield this.cause;
     yield this.lift;
     yield this.least_for_slip;
+    yield this.least_when_covered;
+    yield this.least_when_wet;
     yield this.largest_slip;
     yield this.slip_speed;
     yield this.covered_creep;
@@ -831,13 +837,13 @@ const ELASTIC = 0;
 const POINT_STEPS = 20000.0;
 const NO_PULL = 1e-12;
 const SOLVED = 0;
+const LEAST_COMPLIANCE = 1e-16;
+const NO_SLOPES = new Slopes(NaN, NaN, NaN, NaN);
 const FIRST_ELEMENTS = 8;
 const GRADING = 2.0;
 const C0 = 0.1127016653792583;
 const C1 = 0.5;
 const C2 = 0.8872983346207417;
-const LEAST_COMPLIANCE = 1e-16;
-const NO_SLOPES = new Slopes(NaN, NaN, NaN, NaN);
 const LEAST_CREEP = 1e-16;
 const NEAR_PEAK = 0.8;
 const LEAST_SHARE = 1e-16;
@@ -1459,16 +1465,29 @@ export function meet__interface(law, arc) {
   return new Interface(law, arc.shear, rigid ? arc.side : 0.0, false);
 }
 
+/** C = 1/EA' [1/N]. */
+export function collocation__compliance_of(arc) {
+  return max(arc.compliance, LEAST_COMPLIANCE);
+}
+
+/** An arc that is held all along, by what is known of its ends and K [-]. */
+export function meet__resting(face, arc, at, ratio) {
+  let leaving = at.leaving;
+  let course = new Course(
+    [0.0, 0.0],
+    $repeated([at.creep], 2),
+    $repeated([leaving], 2),
+    $repeated([leaving], 3),
+    ratio,
+  );
+  return new Met(true, course, NO_SLOPES, arc.radius * arc.wrap_angle, at.entry, face);
+}
+
 /** Overrun x_c at an entry tension [m], and its slope by that [m/N]. */
 export function collocation__overrun_at(arc, tension) {
   let area = arc.width * arc.radius;
   let grown = arc.overrun_coefficient * (tension / area) ** 1.5;
   return [arc.overrun_constant + grown, (1.5 * grown) / tension];
-}
-
-/** C = 1/EA' [1/N]. */
-export function collocation__compliance_of(arc) {
-  return max(arc.compliance, LEAST_COMPLIANCE);
 }
 
 /** A first guess on a mesh graded to the entry: ln T falls evenly, creep grows to `end` [m]. */
@@ -1493,8 +1512,16 @@ export function collocation__first_course(arc, length, entry, leaving, end) {
   );
 }
 
-/** A belt that nothing drives. */
+/** A belt that nothing drives: it rests, and no stress is on it. */
 export function answer___still(face, arc, tension) {
+  if (face.slides !== 0.0) {
+    return meet__resting(
+      face,
+      arc,
+      new Guess(tension, tension, 0.0),
+      collocation__compliance_of(arc) * tension,
+    );
+  }
   let course = collocation__first_course(arc, arc.radius * arc.wrap_angle, tension, tension, 0.0);
   return new Met(true, course, NO_SLOPES, 0.0, tension, face);
 }
@@ -1912,14 +1939,7 @@ export function meet__held_along(face, arc, at) {
     return null;
   }
   let ratio = collocation__compliance_of(arc) * leaving + creep / collocation__lag_length(arc);
-  let course = new Course(
-    [0.0, 0.0],
-    $repeated([creep], 2),
-    $repeated([leaving], 2),
-    $repeated([leaving], 3),
-    ratio,
-  );
-  return new Met(true, course, NO_SLOPES, arc.radius * arc.wrap_angle, at.entry, face);
+  return meet__resting(face, arc, at, ratio);
 }
 
 /** An arc that is held all along, much longer than l; None where it is not. */
@@ -2623,6 +2643,7 @@ export function collocation___carried_over(arc, at, places) {
       const found3 = collocation__state_at(arc, at, i, min(share, 1.0));
       u = found3[0];
       t = found3[1];
+      t = max(t, LEAST_LEFT * min(at.tension[i], at.tension[i + 1]));
       if (c < 1.0) {
         stage.push(t);
       }
@@ -2700,11 +2721,20 @@ export function meet__with_rest(face, arc, found) {
 
 /** `meet` with a rest arc at the entry; not done where it is not much longer than l. */
 export function meet___behind_rest(face, arc, ends, guess, tol) {
-  let first, found, share;
+  let area, first, found, pull, short, slide;
   let length = arc.radius * arc.wrap_angle;
-  for (const each1 of FIRST_SLIDES) {
-    share = each1;
-    first = collocation__first_course(arc, share * length, guess.entry, guess.leaving, guess.creep);
+  let slides = [...FIRST_SLIDES].map((share) => share * length);
+  if (arc.shear === 0.0 && ends.kind === TENSION) {
+    area = arc.width * arc.radius;
+    pull = Math.abs(guess.entry - guess.leaving);
+    short = pull / (arc.width * traction__held_stress(face.law, guess.leaving / area));
+    if (short < slides.at(-1)) {
+      slides = [short];
+    }
+  }
+  for (const each1 of slides) {
+    slide = each1;
+    first = collocation__first_course(arc, slide, guess.entry, guess.leaving, guess.creep);
     first = Object.assign(Object.create(Object.getPrototypeOf(first)), first, {
       ratio: collocation__ratio_behind_rest(face, arc, guess.entry)[0],
     });
@@ -4228,12 +4258,29 @@ export function sliding__pull_at_sliding(of, line, begin) {
   return first.place === Infinity ? sliding__slide_place(of, line, 1.0, 0.0, 1.0) : first;
 }
 
+export function least_numbers___least_within(law, geometry, of, limit) {
+  let met = capacity__carry(law, geometry, of.tight, limit);
+  let least = capacity__least_slack(law, geometry, of.pull, limit, met, of.top).slack;
+  return least === least ? least : Infinity;
+}
+
+/** Least slack-side tension with which the creep at the exit keeps a limit [N]; inf if none. */
+export function least_numbers__least_for_creep(law, geometry, of, limit) {
+  return least_numbers___least_within(law, geometry, of, new Limit(CREEP, limit));
+}
+
+/** Return the geometry whose answers are those of an arc with a factor on its friction. */
+export function sliding__with_friction(geometry, factor) {
+  return Object.assign(Object.create(Object.getPrototypeOf(geometry)), geometry, {
+    wrap_angle: factor * geometry.wrap_angle,
+    compliance: geometry.compliance / factor,
+    shear: factor * geometry.shear,
+  });
+}
+
 /** Least slack-side tension with which the slip at the exit keeps a limit [N]; inf if none. */
 export function least_numbers__least_for_slip(law, geometry, of, limit) {
-  let most = new Limit(SLIP, limit);
-  let met = capacity__carry(law, geometry, of.tight, most);
-  let least = capacity__least_slack(law, geometry, of.pull, most, met, of.top).slack;
-  return least === least ? least : Infinity;
+  return least_numbers___least_within(law, geometry, of, new Limit(SLIP, limit));
 }
 
 /** Largest change of the slip per length of arc [-]; nan without a stretch of arc. */
@@ -4347,12 +4394,7 @@ export function sliding__wet_creep(of, factor) {
   if (Number.isNaN(factor)) {
     return NaN;
   }
-  let g = of.geometry;
-  let wet = Object.assign(Object.create(Object.getPrototypeOf(g)), g, {
-    wrap_angle: factor * g.wrap_angle,
-    compliance: g.compliance / factor,
-    shear: factor * g.shear,
-  });
+  let wet = sliding__with_friction(of.geometry, factor);
   let found = answer__operating_point(of.law, wet, of.load.entry_tension, of.load.exit_tension);
   return found.outcome === SOLVED ? Math.abs(found.met.course.creep.at(-1)) : Infinity;
 }
@@ -4370,7 +4412,7 @@ export function load_case__resultant(entry, leaving, wrap_angle, strength, mass 
 
 /** Numbers of the checks of one arc; None where they are for the server to find. */
 export function in_page__judged(law, given, tested, criteria, points) {
-  let pull, top;
+  let by_slip, covered, series, wetted, when_wet;
   let arc = in_page__description_of(given);
   let entry = arc.entry_tension;
   let leaving = arc.exit_tension;
@@ -4403,10 +4445,21 @@ export function in_page__judged(law, given, tested, criteria, points) {
   if (sliding.place !== sliding.place) {
     return null;
   }
-  let by_slip = NaN;
-  if (load.slip_max < given.creep_limit) {
-    top = capacity__highest_tight(load.pressure_max, arc.width * (0.5 * arc.diameter), tight);
-    pull = new Pull(Math.abs(entry - leaving), tight, top);
+  by_slip = covered = when_wet = NaN;
+  let top = capacity__highest_tight(load.pressure_max, arc.width * (0.5 * arc.diameter), tight);
+  let pull = new Pull(Math.abs(entry - leaving), tight, top);
+  let limit = given.creep_limit;
+  if (criteria.cover !== 0.0) {
+    series = Object.assign(Object.create(Object.getPrototypeOf(geometry)), geometry, {
+      shear: geometry.shear + criteria.cover,
+    });
+    covered = least_numbers__least_for_creep(law, series, pull, limit) + arc.centrifugal;
+  }
+  if (criteria.wet > 0.0) {
+    wetted = sliding__with_friction(geometry, criteria.wet);
+    when_wet = least_numbers__least_for_creep(law, wetted, pull, limit) + arc.centrifugal;
+  }
+  if (load.slip_max < limit) {
     by_slip = least_numbers__least_for_slip(law, geometry, pull, load.slip_max) + arc.centrifugal;
   }
   let steep = numbers__steepest(
@@ -4424,6 +4477,8 @@ export function in_page__judged(law, given, tested, criteria, points) {
     sliding.cause,
     sliding__lift_for_safety(loaded, criteria.safety, criteria.tight_rise, begin),
     by_slip,
+    covered,
+    when_wet,
     numbers__largest(profile.slip, count),
     arc.belt_speed * steep,
     in_page__covered_creep(law, given, criteria.cover),

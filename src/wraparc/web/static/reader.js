@@ -25,17 +25,17 @@ report.raise_all();
 (conditions = conditions__build_conditions(record, report));
 (pulleys = [...(function* () { for (const item of $iter(records)) { yield drive_build__build_pulley(item, laggings, conditions, report); } })()]);
 across_keys__check_width(records, belt_record, report);
-(criteria = drive_build__build_criteria(record, report));
+(criteria = drive_build__build_criteria(record, belt, report));
 (conveyor = null);
 if (($in("conveyor", document))) {
-([conveyor, cases] = conveyor_build__build_conveyor(record, $bound(criteria, "take_up"), report));
+([conveyor, cases] = conveyor_build__build_conveyor(record, belt, $bound(criteria, "take_up"), report));
 } else {
 (cases = drive_file___load_cases(record, records, belt, $bound(criteria, "take_up"), report));
 }
 drive_build__report_together(belt_record, belt, pulleys, drive__least_tensions(cases), report);
 report.raise_all();
 (parts = $map([...(function* () { for (const key of $iter(["title", "description", "creep_limit"])) { if (!(($in(key, record)))) continue; yield [key, $at(record, key)]; } })()]));
-return report.sure((() => $call(Drive, [], [["belt", belt], ["pulleys", $b.tuple((function* () { for (const pulley of $iter(pulleys)) { yield pulley; } })())], ["load_cases", conditions__in_each_condition(cases, conditions)], ["criteria", criteria], ["conveyor", conveyor], ...parts])));
+return report.sure((() => $call(Drive, [], [["belt", belt], ["pulleys", $b.tuple((function* () { for (const pulley of $iter(pulleys)) { yield pulley; } })())], ["load_cases", conditions__in_each_condition(cases, conditions)], ["criteria", criteria], ["conveyor", conveyor], ["read_from", new ReadFrom(document, folder, allow_paths)], ...parts])));
 }
 function source__check_format(document, file = "") {
 let given, message, remedy, whole;
@@ -68,7 +68,7 @@ source__check_format(document, file);
 return [table.read(document, [], report), report];
 }
 function drive_build__build_belt(record, report) {
-let built, layers, more, own, place, preset, published, remedy, sound, sources;
+let built, layers, mass, more, own, place, preset, published, remedy, sound, sources;
 
 (sources = origins__read_sources(record, (function* () { for (const e of $iter($c75bc)) { yield e.key; } })(), report));
 (own = $or(origins__own_provenance(record, report), () => new Provenance()));
@@ -83,6 +83,10 @@ return null;
 (published = preset.sources);
 if (($in("thickness", record))) {
 ([more, published] = [$map([...more, ["carcass", null]]), $map([])]);
+}
+(mass = drive_build___preset_mass(record, preset));
+if ((mass != null)) {
+([more, published] = [$map([...more, ["mass", mass]]), $merged(published, $map([["mass", belt_mass__layer_source(preset)]]))]);
 }
 (sources = $merged($merged(published, $map([...(function* () { for (const key of $iter($ca32a)) { if (!(($in(key, record)))) continue; yield [key, own]; } })()])), sources));
 } else {
@@ -207,6 +211,28 @@ let by_plain, remedy, texts;
 (texts = [...(function* () { for (const key of $iter(errors__near($once(loader___plain, $kept_loader___plain)(name), by_plain))) { yield $shown($at(by_plain, key)); } })()]);
 (remedy = ($truth(texts) ? ("" + "Did you mean " + $str($m.join(" or ", texts)) + "?") : ""));
 return errors__input_error(("" + "the catalogue has no " + $str(what) + " of this name"), $m.strip(("" + $str(remedy) + " The command `" + $str(command) + "` lists them.")), undefined, undefined, $shown(name));
+}
+function drive_build___preset_mass(record, preset) {
+let known;
+
+(known = $b.all((function* () { for (const key of $iter(["width", "pulley_cover", "carry_cover"])) { yield ($in(key, record)); } })()));
+if ((!$truth(known) || ($in("carcass", record)) || ($in("mass", record)))) {
+return null;
+}
+return belt_mass__layer_mass(preset, $at(record, "width"), $at(record, "pulley_cover"), $at(record, "carry_cover"));
+}
+function belt_mass__layer_mass(row, width, pulley_cover, carry_cover) {
+
+if (((row.carcass_mass == null) || (row.cover_mass == null))) {
+return null;
+}
+return $mul(width, $add(row.carcass_mass, $mul(row.cover_mass, $add(pulley_cover, carry_cover))));
+}
+function belt_mass__layer_source(row) {
+let origin;
+
+(origin = ((row.carcass_source == null) ? row.provenance : row.carcass_source));
+return $replaced(origin, new Map([["note", ("" + $str("computed from carcass and covers") + "; " + $str(origin.note))]]));
 }
 function conditions__build_conditions(record, report) {
 let cases, main, problem, rows;
@@ -704,11 +730,40 @@ report.take(new InputError(problem), [...$iter(across.place), key]);
 }
 }
 }
-function drive_build__build_criteria(record, report) {
+function drive_build__build_criteria(record, belt, report) {
 let parts;
 
-(parts = $map([...(function* () { for (const e of $iter($cf50e)) { yield [e.attribute, e.kind.built($m.get(record, $bound(e, "key")), report)]; } })()]));
+(parts = $map([...(function* () { for (const e of $iter($cf50e)) { if (!((!$eq(e.key, "sag")))) continue; yield [e.attribute, e.kind.built($m.get(record, $bound(e, "key")), report)]; } })()]));
+$put(parts, "sag", drive_build__build_sag($m.get(record, "sag"), drive_build___mass(record, belt), report));
 return $call(Criteria, [], [...$map([...(function* () { for (const [name, part] of $iter($m.items(parts))) { if (!((part != null))) continue; yield [name, part]; } })()])]);
+}
+function drive_build___mass(record, belt) {
+let conveyor, of_conveyor;
+
+(conveyor = $m.get(record, "conveyor"));
+(of_conveyor = null);
+if (($truth($b.isinstance(conveyor, Record)) && ($in("belt_mass", conveyor)))) {
+(of_conveyor = $at(conveyor, "belt_mass"));
+}
+return (((belt != null) && (of_conveyor == null)) ? belt.mass : of_conveyor);
+}
+function drive_build__build_sag(record, mass, report) {
+let built, more, remedy;
+
+if (!$truth($b.isinstance(record, Record))) {
+return null;
+}
+(more = $map([]));
+if (!$truth($common(new Set(["line_mass"]), new Set([...$iter(record), ...$iter(record.faulty)])))) {
+if ((mass == null)) {
+(remedy = "Write for example line_mass = \"22 kg/m\", or mass in [belt].");
+report.add([...$iter(record.place), "line_mass"], "missing", remedy);
+return null;
+}
+$put(more, "line_mass", mass);
+}
+(built = $method($c9f3b, "built", [record, report], [...more]));
+return built;
 }
 function drive_file___load_cases(record, pulleys, built_belt, take_up, report) {
 let belt, built, case_, cases, given, more, names, own, problem, speed, sure, tensions, whole;
@@ -739,6 +794,7 @@ report.add([...$iter(case_.place), "train"], "there is no [train] table", "Write
 (tensions = tensions__resolve(given, speed, report, whole));
 if (($in("name", case_))) {
 (more = $map([["kind", $m.get(case_, "kind", "running")], ["condition", conditions__condition_name(case_)]]));
+$put(more, "description", $m.get(case_, "description", ""));
 $m.append(built, $call(LoadCase, [], [["name", $at(case_, "name")], ["tensions", tensions], ...more]));
 }
 }
@@ -907,8 +963,8 @@ let value;
 (value = $m.get(case_, "condition", ""));
 return ($truth($b.isinstance(value, Record)) ? $b.str($m.get(value, "name", "")) : $b.str(value));
 }
-function conveyor_build__build_conveyor(record, take_up, report) {
-let conveyor, given, message, pulleys, remedy, states;
+function conveyor_build__build_conveyor(record, belt, take_up, report) {
+let conveyor, given, mass, message, pulleys, remedy, states;
 
 (pulleys = [...(function* () { for (const item of $iter($or($m.get(record, "pulley"), () => []))) { if (!($truth($b.isinstance(item, Record)))) continue; yield item; } })()]);
 conveyor_build___refuse_tensions(record, pulleys, report);
@@ -929,7 +985,8 @@ if ($truth(take_up.after)) {
 (message = "the [conveyor] table says where its take-up stands, take_up_distance");
 report.add(["take_up", "after"], message, "Leave it out.", $bound(take_up, "after"));
 }
-(conveyor = conveyor_build___conveyor(given, $m.get(record, "belt"), take_up, report));
+(mass = ((belt == null) ? null : belt.mass));
+(conveyor = conveyor_build___conveyor(given, $m.get(record, "belt"), mass, take_up, report));
 (states = $and(conveyor, () => report.tried($bound(conveyor, "states"), $bound(given, "place"), $bound(given, "raw"))));
 if ((!$truth(states) || !$truth(pulleys) || (!$in("name", $at(pulleys, 0))))) {
 return [conveyor, []];
@@ -948,9 +1005,18 @@ if (($in("load_case", record))) {
 report.add(["load_case"], "the [conveyor] table gives the load cases already", "Leave it out, or the [conveyor] table.");
 }
 }
-function conveyor_build___conveyor(given, belt, take_up, report) {
+function conveyor_build___conveyor(given, belt, mass, take_up, report) {
 let conveyor, more, speed, told, unsure;
 (more = $map([["sheave_ratio", take_up.sheave_ratio]]));
+if (!$truth($common(new Set(["belt_mass"]), new Set([...$iter(given), ...$iter(given.faulty)])))) {
+$put(more, "belt_mass", mass);
+if ((mass == null)) {
+given.faulty.add("belt_mass");
+if ((!$truth($b.isinstance(belt, Record)) || $truth(belt.sound("mass")))) {
+report.add([...$iter(given.place), "belt_mass"], "missing", "Write for example belt_mass = \"22 kg/m\", or mass in [belt].");
+}
+}
+}
 (speed = ($truth($b.isinstance(belt, Record)) ? $m.get(belt, "speed") : null));
 if ((speed != null)) {
 $put(more, "speed", speed);
@@ -1074,7 +1140,7 @@ if (($in("conveyor", record))) {
 (message = "gives the tensions of one drive, and those of a train stand in [train]");
 report.add(["conveyor"], message, "Leave one of them out.");
 }
-(criteria = drive_build__build_criteria(record, report));
+(criteria = drive_build__build_criteria(record, belt, report));
 (train = $m.get(record, "train"));
 (ends = ($truth($b.isinstance(train, Record)) ? [...(function* () { for (const key of $iter(["entry_tension", "exit_tension"])) { if (!(($in(key, train)))) continue; yield $at(train, key); } })()] : []));
 drive_build__report_together(belt_record, belt, pulleys, ($truth(ends) ? $map([["train", $b.min(ends)]]) : $map([])), report);
@@ -1085,7 +1151,7 @@ report.raise_all();
 (cases = reader.cases());
 report.raise_all();
 try {
-return $call(Train, [], [["belt", reader.belt], ["pulleys", reader.actual], ["cases", conditions__in_each_condition(cases, conditions)], ["criteria", criteria], ["nominal_diameters", ((!$eq(reader.actual, $b.tuple($bound(reader, "pulleys")))) ? reader.nominal : [])], ...parts]);
+return $call(Train, [], [["belt", reader.belt], ["pulleys", reader.actual], ["cases", conditions__in_each_condition(cases, conditions)], ["criteria", criteria], ["nominal_diameters", ((!$eq(reader.actual, $b.tuple($bound(reader, "pulleys")))) ? reader.nominal : [])], ["read_from", new ReadFrom(document, folder, allow_paths)], ...parts]);
 } catch ($error) {
 if ($error instanceof InputError) {
 error = $error;
@@ -1188,12 +1254,13 @@ function in_page_checks___known(value) {
 return ((value == null) ? NaN : value);
 }
 function in_page_checks__criteria_of(drive, arcs, index) {
-let arc, case_, pulley, rise;
+let arc, case_, conditioned, pulley, rise;
 
 (arc = $at(arcs, index));
 ([case_, pulley] = [drive.load_case($bound(arc, "load_case")), drive.pulley($bound(arc, "pulley"))]);
+(conditioned = drive.in_case(case_));
 (rise = gross_slip__rises(arcs, index, $bound(drive.criteria, "take_up")));
-return new in_page$Criteria(drive.criteria.safety.of($bound(case_, "kind")), rise.tight, rise.slack, arc.cover_left_out, $mul(in_page_checks___known($bound(drive.belt, "breaking_strength")), arc.width), in_page_checks___known($bound(pulley, "mass")), of_data__wet_factor(pulley.lagging_in($bound(case_, "condition"))));
+return new in_page$Criteria(drive.criteria.safety.of($bound(case_, "kind")), rise.tight, rise.slack, arc.cover_left_out, $mul(in_page_checks___known($bound(drive.belt, "breaking_strength")), arc.width), in_page_checks___known($bound(pulley, "mass")), of_wet__estimate_factor(new At(conditioned, case_, conditioned.pulley($bound(pulley, "name")))));
 }
 function gross_slip__rises(arcs, index, take_up) {
 let after, names, pulls;
@@ -1216,11 +1283,23 @@ if ((!$truth(fixed) && (after >= 0))) {
 (leaving = $sub(((total >= 0.0) ? behind : $sub($neg(ahead), mine)), lost));
 return ((mine >= 0.0) ? [entry, leaving] : [leaving, entry]);
 }
-function of_data__wet_factor(lagging) {
+function of_wet__estimate_factor(of) {
 
-if ((!$eq(lagging.condition, "dry"))) {
+if (($truth(of.drive.criteria.covered) || !$truth(of_wet__is_dry_only($bound(of, "drive"), $bound(of, "case"))))) {
 return 0.0;
 }
+return of_wet__wet_factor($bound(of.pulley, "lagging"));
+}
+function of_wet__is_dry_only(drive, case_) {
+let dry, laggings, named;
+
+(laggings = (function* () { for (const p of $iter(drive.pulleys)) { for (const lag of $iter([p.lagging, ...$iter(p.conditions)])) { yield lag; }} })());
+(named = [...(function* () { for (const c of $iter(drive.load_cases)) { if (!($truth(c.condition))) continue; yield c.condition; } })()]);
+(dry = $and($b.all((function* () { for (const lag of $iter(laggings)) { yield ($eq(lag.condition, "dry")); } })()), () => $b.all((function* () { for (const name of $iter(named)) { yield ($eq(name, "dry")); } })())));
+return $and(dry, () => $or(!$truth(case_.condition), () => ($eq($b.len(named), $b.len($bound(drive, "load_cases"))))));
+}
+function of_wet__wet_factor(lagging) {
+
 try {
 return $at(new Condition("wet").factor_of(lagging), 0);
 } catch ($error) {
@@ -1250,7 +1329,7 @@ let names, tensions;
 
 (names = [...(function* () { for (const p of $iter(train.pulleys)) { yield p.name; } })()]);
 (tensions = $map([...(function* () { for (const [n, [a, b]] of $iter($b.zip(names, pairs, $k({strict: true})))) { yield [n, new Tensions(a, b)]; } })()]));
-return new LoadCase(case_.name, tensions, case_.kind, case_.condition);
+return new LoadCase(case_.name, tensions, case_.kind, case_.condition, case_.description);
 }
 function result__drive_with(train, cases) {
 
@@ -1331,16 +1410,9 @@ function rule__idle(arc) {
 return numbers__idles($bound(arc, "entry_tension"), $bound(arc, "exit_tension"));
 }
 function judge__judge(result) {
-let most, one, over, verdict;
 
 if ((!$in(result, $c66b4))) {
-(verdict = new Verdict(judge__sound(judge__every_check(result), least_tension__least_tension(result))));
-if ((verdict.level === "OK")) {
-(one = ($truth($b.isinstance(result, TrainResult)) ? result.drive_result() : result));
-([most, over] = judge___wet(one));
-(verdict = $replaced(verdict, new Map([["wet", most], ["over_wet", over]])));
-}
-$put($c66b4, result, verdict);
+$put($c66b4, result, new Verdict(judge__sound(judge__every_check(result), least_tension__least_tension(result))));
 }
 return $at($c66b4, result);
 }
@@ -1582,6 +1654,7 @@ yield* $iter(usual__usual_sizes(drive, ...$iter(others)));
 for (pulley of $iter(drive.pulleys)) {
 yield of_data__data(drive, pulley);
 }
+yield* $iter(of_data__belt_mass(drive));
 }
 function* judge___case(drive, case_, arcs) {
 let index, pulley, result, rule, spot;
@@ -2074,6 +2147,48 @@ $m.append($m.setdefault(found, kind, []), what);
 (worst = $b.next((function* () { for (const [kind, word] of $iter($m.items($cb216))) { if (!(($in(kind, [...$iter(grounds), ...$iter(found)])))) continue; yield word; } })(), ""));
 return new Check("data", "Data that the answer stands on", "OK", new Place($bound(pulley, "name")), undefined, undefined, undefined, undefined, undefined, worst, check__escaped($m.join(" ", words)), undefined, undefined, undefined, false);
 }
+function* of_data__belt_mass(drive) {
+let belt, case_, least, most, place, pulley, slack, tensions;
+
+(belt = drive.belt);
+if (((belt.mass != null) || (belt.speed == null))) {
+return null;
+}
+(tensions = [...(function* () { for (const case_ of $iter(drive.load_cases)) { for (const [name, of] of $iter($m.items(case_.tensions))) { yield [$b.min($bound(of, "entry"), $bound(of, "exit")), name, case_.name]; }} })()]);
+([slack, pulley, case_] = $b.min(tensions, $k({key: ((of) => $at(of, 0))})));
+([least, most] = (function* () { for (const mass of $iter(belt_mass__usual_mass(belt))) { yield pitch__centrifugal_force(mass, $bound(belt, "speed")); } })());
+if ((most <= $mul(0.02, slack))) {
+return null;
+}
+(place = new Place(pulley, case_));
+yield new Check("belt_mass", "Mass of the belt", "OK", place, undefined, undefined, undefined, undefined, "carcasses of the catalogue and usual covers", undefined, ("" + "Belt mass missing: m v2 {least} to {most} (estimated), up to {share} % of T2 (" + $str(check__escaped(pulley)) + ", " + $str(check__escaped(case_)) + ")."), undefined, undefined, $map([["least", [least, "force"]], ["most", [most, "force"]], ["share", [($mul(100.0, most) / slack), "number"]]]), false);
+}
+function belt_mass__usual_mass(belt) {
+let covers, heavy, known, least, light, most, near, row, rows;
+
+(rows = [...(function* () { for (const row of $iter(belts())) { if (!(((row.carcass_mass != null) && (row.cover_mass != null)))) continue; yield row; } })()]);
+for (near of $iter([[...(function* () { for (const row of $iter(rows)) { if (!(($eq(row.name, belt.name)))) continue; yield row; } })()], [...(function* () { for (const row of $iter(rows)) { if (!(($truth(belt_mass___kind_agrees(row, belt)) && $truth(belt_mass___rating_agrees(row, belt))))) continue; yield row; } })()], [...(function* () { for (const row of $iter(rows)) { if (!($truth(belt_mass___kind_agrees(row, belt)))) continue; yield row; } })()]])) {
+if ($truth(near)) {
+(rows = near);
+break;
+}
+}
+(known = pitch__layers_of(belt));
+(covers = [...(function* () { for (const [cover, ends] of $iter($b.zip([known.pulley_cover, known.carry_cover], $c1f4f, $k({strict: true})))) { yield ($truth($math.isnan(cover)) ? ends : [cover, cover]); } })()]);
+([least, most] = [Infinity, 0.0]);
+for (row of $iter(rows)) {
+(light = belt_mass__layer_mass(row, $bound(belt, "width"), $at($at(covers, 0), 0), $at($at(covers, 1), 0)));
+(heavy = belt_mass__layer_mass(row, $bound(belt, "width"), $at($at(covers, 0), 1), $at($at(covers, 1), 1)));
+([least, most] = [$b.min(least, $or(light, () => Infinity)), $b.max(most, $or(heavy, () => 0.0))]);
+}
+return new MassRange(least, most);
+}
+function belt_mass___kind_agrees(row, belt) {
+return $or(($eq(row.kind, belt.kind)), () => !$truth(belt.kind));
+}
+function belt_mass___rating_agrees(row, belt) {
+return $and((belt.rating != null), () => ($b.abs($math.log((row.rating / belt.rating))) <= $math.log(1.3)));
+}
 function least_tension__least_tension(result) {
 let one;
 
@@ -2143,6 +2258,7 @@ if ($truth(least_tension___pulls(result))) {
 (least = result.capacities.least_exit_tension);
 yield new Figure("creep", "Creep", $add(offset, ($truth($math.isnan(least)) ? Infinity : least)), place);
 yield* $iter(least_tension___slip(result, offset, place));
+yield* $iter(least_tension___estimates(spot, result, offset));
 yield* $iter(least_tension___standard(spot, offset));
 yield least_tension___gross_slip(drive, case_, arcs, index, end);
 }
@@ -2163,6 +2279,28 @@ yield new Figure("tested_slip", "Largest slip, tested", $add(offset, least), pla
 function in_page_checks__least_with_slip(result, _limit) {
 
 return result.found.least_for_slip;
+}
+function* least_tension___estimates(spot, result, offset) {
+let asks, factor, rule, title;
+
+(factor = of_wet__estimate_factor(spot));
+for ([rule, title, asks] of $iter([[$c8a85, "Creep with the cover of the belt in series", in_page_checks__least_when_covered(result)], [$cef26, "Creep at the end of its interval", in_page_checks__least_by_interval(result)], [$c2e75, "Creep when wet, estimated", in_page_checks__least_when_wet(result, factor)]])) {
+if (!$truth($math.isnan(asks))) {
+yield new Figure($bound(rule, "name"), title, $add(offset, asks), $bound(spot, "place"), false);
+}
+}
+}
+function in_page_checks__least_when_covered(result) {
+
+return result.found.least_when_covered;
+}
+function in_page_checks__least_by_interval(_result) {
+
+return NaN;
+}
+function in_page_checks__least_when_wet(result, factor) {
+
+return ((factor > 0.0) ? result.found.least_when_wet : NaN);
 }
 function* least_tension___standard(of, offset) {
 let binding, criteria, pulley, rule, tension;
@@ -2345,7 +2483,7 @@ $sig(advised, ["check"], false);
 return $b.tuple($b.map(advised, checks));
 }
 function judge___helps(check, least, both) {
-let own, too_much, top;
+let helps, own;
 
 if ((least == null)) {
 return !$truth(both);
@@ -2354,47 +2492,8 @@ return !$truth(both);
 if (((own == null) && $truth(both))) {
 return false;
 }
-(top = least.highest);
-(too_much = $and((own != null), () => $and((top != null), () => $and(own.at_least, () => (own.tension > top.tension)))));
-return $and($math.isfinite($bound(least, "tension")), () => !$truth(too_much));
-}
-function judge___wet(result) {
-let arc, condition, creep, drive, factor, most, over;
-
-([most, over, drive] = [$neg(1.0), false, result.drive]);
-for (arc of $iter(result)) {
-(condition = drive.load_case($bound(arc.arc, "load_case")).condition);
-(factor = of_data__wet_factor(drive.pulley($bound(arc.arc, "pulley")).lagging_in(condition)));
-if (($eq(factor, 0.0))) {
-return [$neg(1.0), false];
-}
-if (!$truth(rule__idle($bound(arc, "arc")))) {
-(creep = in_page_checks__wet(arc, factor));
-(most = ($truth($math.isnan(creep)) ? creep : $b.max(most, creep)));
-(over = $or(over, () => !($truth($math.isnan(creep)) || $truth(numbers__kept(creep, $bound(arc.arc, "creep_limit"), true)))));
-}
-}
-return [most, over];
-}
-function in_page_checks__wet(result, _factor) {
-
-return result.found.wet;
-}
-function numbers__kept(value, limit, at_most) {
-let within;
-
-if ($truth($math.isnan(value))) {
-return false;
-}
-(within = ($truth(at_most) ? (value <= limit) : (value >= limit)));
-return $or(within, () => numbers__same_shown(value, limit));
-}
-function numbers__same_shown(value, limit) {
-
-if (!($truth($math.isfinite(value)) && $truth($math.isfinite(limit)))) {
-return ($eq(value, limit));
-}
-return ($eq(("" + $format(value, ("" + ".3e"))), ("" + $format(limit, ("" + ".3e")))));
+(helps = $or((own == null), () => $or(!$truth(own.at_least), () => ($in(own, least.required)))));
+return $and($math.isfinite($bound(least, "tension")), () => helps);
 }
 function least_tension__least_sentence(result) {
 let as_now, asked, described, found, given, governs, least, standard, text, what, why;
@@ -2415,7 +2514,7 @@ return least_tension___none(found, result);
 if ($truth($b.any((function* () { for (const pulley of $iter(described.pulleys)) { yield pulley.across; } })()))) {
 (as_now = $add(as_now, ", were the pulley even,"));
 }
-(text = ("" + "The least " + $str(what) + " with which every binding check is kept" + $str(as_now) + " is " + $str(least) + ", set by " + $str(why) + " (" + $str(governs.place) + "); given " + $str(given)));
+(text = ("" + "The least " + $str(what) + " with which every check that it helps passes" + $str(as_now) + " is " + $str(least) + ", set by " + $str(why) + " (" + $str(governs.place) + "); given " + $str(given)));
 (standard = found.standard);
 if (((standard != null) && (found.tension < $mul(standard.tension, $sub(1.0, 1e-09))))) {
 (asked = least_tension__at_least($bound(standard, "tension")));
@@ -2465,7 +2564,7 @@ function least_tension__divides_anew(result) {
 return $and($b.isinstance(result, TrainResult), () => !$truth($b.all((function* () { for (const c of $iter(result)) { yield c.case.pulls_given; } })())));
 }
 function least_tension__least_table(result) {
-let bound, figure, found, given, governs, least, note, place, rows, shown, symbol, text, weight, where;
+let bound, counts, figure, found, given, least, note, place, rows, shown, symbol, text, weight, where;
 
 (found = least_tension__least_tension(result));
 if ((found == null)) {
@@ -2484,8 +2583,9 @@ for (figure of $iter($b.sorted($bound(found, "figures"), $k({key: ((f) => [!$tru
 (bound = ($truth(figure.at_least) ? "at least" : "at most"));
 (shown = ($truth(figure.at_least) ? least_tension__at_least : least_tension__at_most));
 (text = ($truth($math.isinf($bound(figure, "tension"))) ? "none" : shown($bound(figure, "tension"))));
-(governs = (figure === found.governing));
-(note = ($truth(governs) ? "governs" : ($truth(figure.binding) ? "" : "not binding")));
+(counts = $or(($in(figure, found.required)), () => !$truth(figure.at_least)));
+(note = ($truth(counts) ? "" : "not counted, as no tension keeps all"));
+(note = ((figure === found.governing) ? "governs" : note));
 (note = $m.join(", ", (function* () { for (const part of $iter([note, $b.str($bound(figure, "place"))])) { if (!($truth(part))) continue; yield part; } })()));
 $m.append(rows, new Row(("" + $str(figure.title) + ", " + $str(bound)), [text], "", note));
 }
@@ -2794,7 +2894,7 @@ let part, parts;
 
 (part = $b.getattr(result, name));
 (parts = [result.creep_shrinkage, result.creep_compression, result.creep_global]);
-if (($b.sum($b.map($b.abs, parts)) > $mul(1.05, $b.abs($bound(result, "exit_creep"))))) {
+if ((($eq(result.exit_creep, 0.0)) || ($b.sum($b.map($b.abs, parts)) > $mul(1.05, $b.abs($bound(result, "exit_creep")))))) {
 return sheet__named(name, part);
 }
 return ("" + $str(sheet__named(name, part)) + " (" + $str(cell__percent((part / result.exit_creep), 2)) + ")");
@@ -3370,10 +3470,11 @@ note("compression_modulus", (($in("block", sources)) ? "block" : basis), text);
 return moduli;
 }
 function compression__compression_modulus(elastic_modulus, block) {
-let square;
+let modulus, square;
 
 (square = ($eq(block.shape, "square")));
-return compression__block_modulus(elastic_modulus, square, $bound(block, "width"), $bound(block, "height"), $bound(block, "stiffening"), $bound(block, "contact_fraction"));
+(modulus = compression__block_modulus(elastic_modulus, square, $bound(block, "width"), $bound(block, "height"), $bound(block, "stiffening"), $bound(block, "contact_fraction")));
+return modulus;
 }
 function lagging_build___compression_note(block, modulus) {
 if ((block == null)) {
@@ -3826,6 +3927,10 @@ $m.append(problems, new Problem(message, undefined, undefined, key, given));
 }
 return problems;
 }
+function criteria__is_wet(condition) {
+
+return ($in("wet", $m.split($m.lower(condition))));
+}
 function conditions__design_ratio(standard, surface, condition, tested = "dry") {
 let band, dry, here, high, known, low, note, source, there;
 
@@ -3866,6 +3971,24 @@ return [];
 (message = "must be a printable text of 1 to 60 characters");
 return [new Problem(message, undefined, undefined, key, $shown(name))];
 }
+function belt_mass__is_stated(belt) {
+
+return $and((belt.mass != null), () => !($truth(belt_mass__is_of_layers(belt)) || $truth(belt_mass__is_of_conveyor(belt))));
+}
+function belt_mass__is_of_layers(belt) {
+
+return $and((belt.mass != null), () => $m.startswith(belt.source_of("mass").note, "computed from carcass and covers"));
+}
+function belt_mass__is_of_conveyor(belt) {
+
+return $and((belt.mass != null), () => ($eq(belt.source_of("mass").note, "belt_mass of [conveyor]")));
+}
+function belt_mass__with_mass(belt, mass, source = null) {
+let sources;
+
+(sources = $map([...(function* () { for (const [key, of] of $iter($m.items(belt.sources))) { if (!((!$eq(key, "mass")))) continue; yield [key, of]; } })()]));
+return $replaced(belt, new Map([["mass", mass], ["sources", $merged(sources, ((source == null) ? $map([]) : $map([["mass", source]])))]]));
+}
 function drive___wrong_pulleys(case_, names) {
 let missing, parts, unknown;
 ([missing, unknown] = [$b.sorted($sub(names, $m.keys(case_.tensions))), $b.sorted($sub($m.keys(case_.tensions), names))]);
@@ -3876,6 +3999,19 @@ return new Problem($m.join(" and ", parts), undefined, undefined, ("" + "load_ca
 function drive__condition_problems(case_, condition, pulleys) {
 
 return [...(function* () { for (const p of $iter(pulleys)) { if (!(($truth(condition) && (!$in(condition, (function* () { for (const lagging of $iter(p.conditions)) { yield lagging.condition; } })()))))) continue; yield new Problem(("" + "pulley " + $str($shown($bound(p, "name"))) + " does not say its lagging in this condition"), undefined, undefined, ("" + "load_case." + $str(case_) + ".condition"), $shown(condition)); } })()];
+}
+function drive__covered_problems(criteria, conditions, pulleys) {
+let every, laggings, message, remedy, wet;
+
+(laggings = (function* () { for (const p of $iter(pulleys)) { for (const lagging of $iter([p.lagging, ...$iter(p.conditions)])) { yield lagging; }} })());
+(every = [...$iter(conditions), ...$iter((function* () { for (const lagging of $iter(laggings)) { yield lagging.condition; } })())]);
+(wet = $b.next($b.filter(criteria__is_wet, every), ""));
+if (!($truth(criteria.covered) && $truth(wet))) {
+return [];
+}
+(message = ("" + "a covered drive never runs wet, and condition " + $str($shown(wet)) + " is given"));
+(remedy = "Leave out covered or the condition.");
+return [new Problem(message, remedy, undefined, "covered", "true")];
 }
 function drive__named(what, name, among, of = "the drive") {
 let one;
@@ -4046,7 +4182,7 @@ function train___case_of(drive, case_) {
 let pairs, runs;
 (pairs = [...(function* () { for (const p of $iter(drive.pulleys)) { yield $at(case_.tensions, p.name); } })()]);
 (runs = $b.tuple((function* () { for (const [a, b] of $iter($b.pairwise(pairs))) { yield $sub(b.entry, a.exit); } })()));
-return new TrainCase(case_.name, $at(pairs, 0).entry, $at(pairs, $neg(1)).exit, new Pulls($b.tuple((function* () { for (const pair of $iter(pairs)) { yield pair.effective; } })())), ($truth($b.any(runs)) ? runs : []), case_.kind, case_.condition);
+return new TrainCase(case_.name, $at(pairs, 0).entry, $at(pairs, $neg(1)).exit, new Pulls($b.tuple((function* () { for (const pair of $iter(pairs)) { yield pair.effective; } })())), ($truth($b.any(runs)) ? runs : []), case_.kind, case_.condition, case_.description);
 }
 function wrap_arc__of_belt(belt, side, law) {
 let counted, cover;
@@ -4539,6 +4675,22 @@ function check__keeps(value, limit, at_most = true) {
 
 return numbers__kept(value, limit, at_most);
 }
+function numbers__kept(value, limit, at_most) {
+let within;
+
+if ($truth($math.isnan(value))) {
+return false;
+}
+(within = ($truth(at_most) ? (value <= limit) : (value >= limit)));
+return $or(within, () => numbers__same_shown(value, limit));
+}
+function numbers__same_shown(value, limit) {
+
+if (!($truth($math.isfinite(value)) && $truth($math.isfinite(limit)))) {
+return ($eq(value, limit));
+}
+return ($eq(("" + $format(value, ("" + ".3e"))), ("" + $format(limit, ("" + ".3e")))));
+}
 function fit___has_no_negative(covariance, rounding) {
 let before, given, i, j, lower, rest, row, scale;
 
@@ -4592,7 +4744,7 @@ yield rule.judged($bound(of.state, "slack"), limit, $bound(of, "place"), words);
 function* of_arc___cover_creep(of) {
 let found, rule, title, told, words;
 
-([rule, title] = [$cabb1, "Creep at exit, with the cover of the belt in series"]);
+([rule, title] = [$c8a85, "Creep at exit, with the cover of the belt in series"]);
 if (((of.result == null) || ($eq(of.result.arc.cover_left_out, 0.0)))) {
 return null;
 }
@@ -4613,6 +4765,32 @@ if (((fit == null) || !$truth(fit.knots))) {
 return null;
 }
 yield new Check("creep_interval", "Creep at exit, end of the 95 % interval of the law", "ATTENTION", of.place, undefined, undefined, undefined, undefined, undefined, "interval not found here", "By the uncertainty of the friction law the creep may be beyond its limit: this page does not find the interval.", "Solve the file with wraparc solve, which does.", undefined, undefined, false);
+}
+function* of_wet___wet_creep(of) {
+let creep, exceeds, factor, lagging, limit, missing, name, slips, words;
+
+(factor = of_wet__estimate_factor(of));
+if (((of.result == null) || ($eq(factor, 0.0)) || $truth(rule__idle($bound(of.result, "arc"))))) {
+return null;
+}
+([name, lagging] = ["wet_creep", of.pulley.lagging]);
+([limit, missing] = [of.state.creep_limit, of.unknown]);
+if ((!$truth(missing) && !$truth(check__keeps($b.abs($bound(of.result, "exit_creep")), limit)))) {
+(missing = "the dry creep exceeds its limit");
+}
+if (($truth(missing) || $truth($math.isnan(factor)))) {
+(missing = $or(missing, () => ("" + $str(lagging.name) + " has no wet friction")));
+yield rule__not_checked(name, "Wet creep", missing, $bound(of, "place"));
+return null;
+}
+(creep = in_page_checks__wet($bound(of, "result"), factor));
+([slips, exceeds] = [$math.isinf(creep), "Wet creep {value} (estimated) exceeds the {limit} limit."]);
+(words = new Words("Wet creep", ("" + "creep limit; wet friction " + $format(factor, ("" + ".3g")) + " of dry, " + $str($at(new Condition("wet").factor_of(lagging), 1))), ($truth(slips) ? "gross slip when wet" : "over creep limit wet"), ($truth(slips) ? "Gross slip when wet (estimated)." : exceeds), undefined, undefined, ("" + "Test lagging " + $str(check__escaped($bound(lagging, "name"))) + " wet, or give covered = true if the drive never runs wet.")));
+yield $c2e75.judged(creep, limit, $bound(of, "place"), words);
+}
+function in_page_checks__wet(result, _factor) {
+
+return result.found.wet;
 }
 function of_drive___running_tension(of) {
 return (($eq(of.case.kind, "running")) ? of_drive__allowed_tension($bound(of.drive, "belt"), $bound(of.case, "kind")) : null);
@@ -4983,7 +5161,7 @@ _wetter() {
 const self = this; let factors, message, remedy;
 
 (factors = $map([["factor", self.factor], ...self.factors]));
-if ((!$in("wet", $m.split($m.lower(self.name))))) {
+if (!$truth(criteria__is_wet($bound(self, "name")))) {
 return [];
 }
 ([message, remedy] = ["more friction wet than dry", "Give friction when wet over dry, 0.8 say."]);
@@ -5129,7 +5307,7 @@ return [new Problem(("" + "beyond the belt, which reaches from " + $str(display_
 $sig(WidthProfile, ["position", "value", "crown", "uncertainty"], false, {position: () => [], value: () => [], crown: () => 0.0, uncertainty: () => null});
 class Criteria extends $Object {
 }
-$sig(Criteria, ["take_up", "standard", "safety", "sag"], false, {take_up: () => new TakeUp(), standard: () => new DesignStandard(), safety: () => new SafetyFactors(), sag: () => null});
+$sig(Criteria, ["take_up", "standard", "safety", "sag", "covered"], false, {take_up: () => new TakeUp(), standard: () => new DesignStandard(), safety: () => new SafetyFactors(), sag: () => null, covered: () => false});
 class Layers extends $Tuple {
 }
 $sig(Layers, ["pulley_cover", "carry_cover", "carcass"], false, {});
@@ -5184,14 +5362,20 @@ const self = this; let problems;
 limits__raise_all($add(limits__name_problems("name", $bound(self, "name")), problems));
 }
 }
-$sig(LoadCase, ["name", "tensions", "kind", "condition"], false, {kind: () => "running", condition: () => ""});
+$sig(LoadCase, ["name", "tensions", "kind", "condition", "description"], false, {kind: () => "running", condition: () => "", description: () => ""});
 class Viewable extends $Object {
 
 
 }
 class Drive extends Viewable {
 __post_init__() {
-const self = this; let case_, key, message, names, problems, pulley;
+const self = this; let case_, key, mass, message, names, problems, pulley;
+if (((self.conveyor != null) && !$truth(belt_mass__is_stated($bound(self, "belt"))))) {
+(mass = self.conveyor.belt_mass);
+if ((!$eq(self.belt.mass, mass))) {
+(self.belt = belt_mass__with_mass($bound(self, "belt"), mass, $cde36));
+}
+}
 (problems = limits__limit_problems(self, $bound(self, "LIMITS")));
 if (!(1 <= $b.len($bound(self, "pulleys")) && $b.len($bound(self, "pulleys")) <= 10)) {
 (message = ("" + "a drive needs 1 to " + $str(10) + " pulleys"));
@@ -5207,6 +5391,7 @@ $m.append(problems, drive___wrong_pulleys(case_, names));
 }
 (problems = $add(problems, drive__condition_problems($bound(case_, "name"), $bound(case_, "condition"), $bound(self, "pulleys"))));
 }
+(problems = $add(problems, drive__covered_problems($bound(self, "criteria"), $bound(self, "conditions"), $bound(self, "pulleys"))));
 (problems = $add(problems, drive__side_problems($bound(self, "belt"), $bound(self, "pulleys"))));
 (problems = $add(problems, self._mass_problems()));
 for (pulley of $iter(self.pulleys)) {
@@ -5330,7 +5515,10 @@ const self = this;
 return ((pulley.creep_limit == null) ? self.creep_limit : pulley.creep_limit);
 }
 }
-$sig(Drive, ["title", "belt", "pulleys", "load_cases", "creep_limit", "criteria", "description", "conveyor"], false, {title: () => "", creep_limit: () => 0.00635, criteria: () => new Criteria(), description: () => "", conveyor: () => null});
+$sig(Drive, ["title", "belt", "pulleys", "load_cases", "creep_limit", "criteria", "description", "conveyor", "read_from"], false, {title: () => "", creep_limit: () => 0.00635, criteria: () => new Criteria(), description: () => "", conveyor: () => null, read_from: () => null});
+class ReadFrom extends $Object {
+}
+$sig(ReadFrom, ["document", "folder", "allow_paths"], false, {folder: () => "", allow_paths: () => false});
 class Train extends $Object {
 __post_init__() {
 const self = this; let case_, count, given, least, message, names, problems;
@@ -5362,11 +5550,12 @@ for (case_ of $iter(self.cases)) {
 (problems = $add(problems, drive__flying_problems($bound(self, "belt"), ("" + "load_case." + $str(case_.name)), least)));
 }
 (problems = $add(problems, drive__side_problems($bound(self, "belt"), $bound(self, "pulleys"))));
+(problems = $add(problems, drive__covered_problems($bound(self, "criteria"), $bound(self, "conditions"), $bound(self, "pulleys"))));
 limits__raise_all(problems);
 }
 static of(drive) {
 const cls = this; 
-return $call(cls, [], [["title", drive.title], ["description", drive.description], ["belt", drive.belt], ["pulleys", drive.pulleys], ["cases", $b.tuple((function* () { for (const case_ of $iter(drive.load_cases)) { yield train___case_of(drive, case_); } })())], ["creep_limit", drive.creep_limit], ["criteria", drive.criteria]]);
+return $call(cls, [], [["title", drive.title], ["description", drive.description], ["belt", drive.belt], ["pulleys", drive.pulleys], ["cases", $b.tuple((function* () { for (const case_ of $iter(drive.load_cases)) { yield train___case_of(drive, case_); } })())], ["creep_limit", drive.creep_limit], ["criteria", drive.criteria], ["read_from", drive.read_from]]);
 }
 get nominal() {
 const self = this; 
@@ -5399,7 +5588,7 @@ const self = this;
 return ((pulley.creep_limit == null) ? self.creep_limit : pulley.creep_limit);
 }
 }
-$sig(Train, ["title", "description", "belt", "pulleys", "cases", "nominal_diameters", "creep_limit", "criteria"], false, {title: () => "", description: () => "", nominal_diameters: () => [], creep_limit: () => 0.00635, criteria: () => new Criteria()});
+$sig(Train, ["title", "description", "belt", "pulleys", "cases", "nominal_diameters", "creep_limit", "criteria", "read_from"], false, {title: () => "", description: () => "", nominal_diameters: () => [], creep_limit: () => 0.00635, criteria: () => new Criteria(), read_from: () => null});
 class Reader extends $Object {
 $init(record, belt, pulleys, report, take_up) {
 const self = this; ([self.belt, self.pulleys, self._report, self._take_up] = [belt, pulleys, report, take_up]);
@@ -5439,7 +5628,7 @@ for (table of $iter(tables)) {
 (over = $m.get(table, "train"));
 (empty = new Record($map([]), [...$iter(table.place), "train"], $map([])));
 (case_ = self._case($at(table, "name"), train, ((over != null) ? over : empty)));
-$m.append(built, $and(case_, () => $replaced(case_, new Map([["kind", $m.get(table, "kind", "running")], ["condition", conditions__condition_name(table)]]))));
+$m.append(built, $and(case_, () => $replaced(case_, new Map([["kind", $m.get(table, "kind", "running")], ["condition", conditions__condition_name(table)], ["description", $m.get(table, "description", "")]]))));
 }
 return [...(function* () { for (const case_ of $iter(built)) { if (!((case_ != null))) continue; yield case_; } })()];
 }
@@ -5783,6 +5972,9 @@ $sig(Rise, ["tight", "slack"], false, {});
 class in_page$Criteria extends $Tuple {
 }
 $sig(in_page$Criteria, ["safety", "tight_rise", "slack_rise", "cover", "strength", "pulley_mass", "wet"], false, {});
+class At extends $Object {
+}
+$sig(At, ["drive", "case", "pulley"], false, {});
 class ArcResult extends Viewable {
 get creep_interval() { return $kept(this, "creep_interval", this.$find_creep_interval()); }
 get covered_creep() { return $kept(this, "covered_creep", this.$find_covered_creep()); }
@@ -5910,7 +6102,7 @@ return alike__largest((function* () { for (const c of $iter(self.cases)) { if (!
 drive_result() {
 const self = this; let arcs, cases;
 
-(cases = [...(function* () { for (const result of $iter(self.cases)) { yield new LoadCase(result.case.name, $map([...(function* () { for (const m of $iter(result.members)) { yield [m.name, new Tensions(m.arc.entry_tension, m.arc.exit_tension)]; } })()]), result.case.kind, result.case.condition); } })()]);
+(cases = [...(function* () { for (const result of $iter(self.cases)) { yield new LoadCase(result.case.name, $map([...(function* () { for (const m of $iter(result.members)) { yield [m.name, new Tensions(m.arc.entry_tension, m.arc.exit_tension)]; } })()]), result.case.kind, result.case.condition, result.case.description); } })()]);
 (arcs = $b.tuple((function* () { for (const case_ of $iter(self.cases)) { for (const m of $iter(case_.members)) { yield m.arc; }} })()));
 return new DriveResult(result__drive_with($bound(self, "train"), cases), arcs);
 }
@@ -6086,9 +6278,6 @@ $sig(Owner, ["of", "kinds", "words", "place", "more"], false, {place: () => $cb8
 class Sliding extends $Tuple {
 }
 $sig(Sliding, ["place", "cause"], false, {});
-class At extends $Object {
-}
-$sig(At, ["drive", "case", "pulley"], false, {});
 class Spot extends At {
 }
 $sig(Spot, ["drive", "case", "pulley", "place", "state", "result", "unknown"], false, {result: () => null, unknown: () => ""});
@@ -6117,6 +6306,9 @@ $sig(VariableSpeed, ["rated_power", "rated_speed", "gear_ratio", "gear_efficienc
 class Sizes extends $Tuple {
 }
 $sig(Sizes, ["width", "modulus", "speed", "diameter", "idle_wrap", "wrap_angle", "creep_limit", "overrun", "thickness", "shear_modulus", "compression_modulus", "rating", "strength", "bond_strength", "fatigue_limit", "face_pressure", "least_diameter", "sag", "entry", "leaving", "pull", "mass"], false, {});
+class MassRange extends $Tuple {
+}
+$sig(MassRange, ["least", "most"], false, {});
 class Figure extends $Object {
 }
 $sig(Figure, ["name", "title", "tension", "place", "binding", "at_least"], false, {binding: () => true, at_least: () => true});
@@ -6124,11 +6316,19 @@ class Asked extends $Object {
 }
 $sig(Asked, ["rule", "wrap_factor", "source", "why_not"], false, {why_not: () => ""});
 class LeastTension extends $Object {
+get required() { return $kept(this, "required", this.$find_required()); }
 get governing() { return $kept(this, "governing", this.$find_governing()); }
 get highest() { return $kept(this, "highest", this.$find_highest()); }
+$find_required() {
+const self = this; let below, top;
+
+(top = ((self.highest == null) ? Infinity : self.highest.tension));
+(below = (function* () { for (const f of $iter(self.figures)) { if (!($truth(f.at_least))) continue; yield f; } })());
+return $b.tuple((function* () { for (const f of $iter(below)) { if (!(($truth(f.binding) || ((f.tension <= top) && (f.tension < Infinity))))) continue; yield f; } })());
+}
 $find_governing() {
 const self = this; 
-return alike__largest((function* () { for (const f of $iter(self.figures)) { if (!(($truth(f.binding) && $truth(f.at_least)))) continue; yield f; } })(), least_tension___tension);
+return alike__largest($bound(self, "required"), least_tension___tension);
 }
 get tension() {
 const self = this; let top;
@@ -6180,13 +6380,21 @@ const self = this;
 return ((self.governing == null) ? "OK" : self.governing.level);
 }
 get word() {
-const self = this; let ok;
-
+const self = this; 
 if ((self.level !== "OK")) {
 return $b.str($bound(self, "level"));
 }
-(ok = ((self.wet < 0.0) ? $b.str("OK") : ("" + $str("OK") + " dry only")));
-return ($truth(self.qualifier) ? ("" + $str(ok) + ", " + $str(self.qualifier)) : ok);
+return ($truth(self.qualifier) ? ("" + $str(self.ok_word) + ", " + $str(self.qualifier)) : self.ok_word);
+}
+get ok_word() {
+const self = this; let dry;
+
+(dry = $and((self.wet != null), () => (self.wet.level === "NOT CHECKED")));
+return ($truth(dry) ? ("" + $str("OK") + " (dry)") : $b.str("OK"));
+}
+get wet() {
+const self = this; 
+return $b.next((function* () { for (const c of $iter(self.listed)) { if (!(($eq(c.name, "wet_creep")))) continue; yield c; } })(), null);
 }
 $find_listed() {
 const self = this; let check, held, worst;
@@ -6209,7 +6417,7 @@ return check___badness(check);
 get data() {
 const self = this; let told;
 
-(told = (function* () { for (const c of $iter(self.checks)) { if (!((($eq(c.name, "data")) && $truth(c.says)))) continue; yield c.said; } })());
+(told = (function* () { for (const c of $iter(self.checks)) { if (!((($in(c.name, ["data", "belt_mass"])) && $truth(c.says)))) continue; yield c.said; } })());
 return $b.tuple($b.fromkeys(told));
 }
 at(pulley, load_case) {
@@ -6256,7 +6464,7 @@ return $m.rstrip(("" + $str(check__placed(said)) + $str(self._sense()) + " " + $
 if ($truth(worst.missed)) {
 return ("" + $str(check__placed(worst)) + $str(self._sense()));
 }
-(text = self._kept($b.sum((function* () { for (const c of $iter(self.listed)) { yield c.compares; } })())));
+(text = ("" + "All " + $str($b.sum((function* () { for (const c of $iter(self.listed)) { yield c.compares; } })())) + " checks are kept"));
 if (($truth($math.isnan($bound(worst, "margin"))) || $truth($math.isinf($bound(worst, "margin"))))) {
 return ("" + $str(text) + "." + $str(self._sense()));
 }
@@ -6283,42 +6491,13 @@ for (title of $iter($b.fromkeys((function* () { for (const c of $iter(braking)) 
 }
 return told;
 }
-_kept(count) {
-const self = this; let known, told;
-
-if ($truth(self.over_wet)) {
-return ("" + $str(self.beyond_wet()) + ": all " + $str(count) + " checks are kept dry only");
-}
-(told = ("" + "All " + $str(count) + " checks are kept"));
-if ((self.wet < 0.0)) {
-return told;
-}
-(known = !$truth($math.isnan($bound(self, "wet"))));
-return ("" + $str(told) + ", dry only" + $str(($truth(known) ? ("" + " (" + $str(self._when_wet()) + ")") : "")));
-}
-_when_wet() {
-const self = this; let digits;
-if ($truth($math.isinf($bound(self, "wet")))) {
-return "wet it slips through";
-}
-(digits = $add(3, self.over_wet));
-return ("" + "wet it creeps " + $str(cell__quantity($bound(self, "wet"), "length", digits)));
-}
-beyond_wet() {
-const self = this; let limit;
-
-if (!$truth(self.over_wet)) {
-return "";
-}
-(limit = ($truth($math.isfinite($bound(self, "wet"))) ? ", beyond its limit" : ""));
-return ("" + $str(check___capital(self._when_wet())) + $str(limit));
-}
 get others() {
 const self = this; let first, others, told;
 
 (first = new Set((function* () { for (const c of $iter([self.governing, self.odd])) { if (!((c != null))) continue; yield c.name; } })()));
 (others = (function* () { for (const check of $iter(self.missed)) { if (!((!$in(check.name, first)))) continue; yield check; } })());
 (told = [...(function* () { for (const check of $iter(others)) { yield ("" + $str(check.level) + ": " + $str(check__placed(check))); } })()]);
+(told = $add(told, self._when_wet()));
 if ((($told($c13db, self.level, "rank") > $told($c13db, "OK", "rank")) && $truth(self.qualifier))) {
 $m.append(told, ("" + "All of this stands " + $str(self.qualifier) + "."));
 }
@@ -6339,8 +6518,18 @@ const self = this; let found;
 (found = new Set((function* () { for (const c of $iter(self.checks)) { if (!(($eq(c.name, "data")))) continue; yield c.short; } })()));
 return $b.next((function* () { for (const word of $iter($cc969)) { if (!(($in(word, found)))) continue; yield word; } })(), "");
 }
+_when_wet() {
+const self = this; 
+if (((self.wet == null) || (self.level !== "OK"))) {
+return [];
 }
-$sig(Verdict, ["checks", "wet", "over_wet"], false, {wet: () => -1.0, over_wet: () => false});
+if ((self.wet.level === "NOT CHECKED")) {
+return [("" + "Wet: not checked, " + $str(self.wet.short) + ".")];
+}
+return [("" + "Wet: creep " + $str($at(self.wet.texts(), 0)) + " (estimated) passes.")];
+}
+}
+$sig(Verdict, ["checks"], false, {});
 class Row extends $Object {
 }
 $sig(Row, ["title", "values", "symbol", "note", "name", "level"], false, {symbol: () => "", note: () => "", name: () => "", level: () => null});
@@ -6719,7 +6908,7 @@ const self = this;
 return ((index < $b.len($bound(self, "runs"))) ? $at(self.runs, index) : 0.0);
 }
 }
-$sig(TrainCase, ["name", "entry_tension", "exit_tension", "division", "runs", "kind", "condition"], false, {runs: () => [], kind: () => "running", condition: () => ""});
+$sig(TrainCase, ["name", "entry_tension", "exit_tension", "division", "runs", "kind", "condition", "description"], false, {runs: () => [], kind: () => "running", condition: () => "", description: () => ""});
 class RunsGain extends $Tuple {
 }
 $sig(RunsGain, ["base", "case"], false, {base: () => 0.0, case: () => 0.0});
@@ -7445,8 +7634,10 @@ $m.append(problems, new Problem(message, undefined, undefined, "shape", $shown($
 limits__raise_all(problems);
 }
 get shape_factor() {
-const self = this; 
-return compression__shape_factor(($eq(self.shape, "square")), $bound(self, "width"), $bound(self, "height"));
+const self = this; let factor;
+
+(factor = compression__shape_factor(($eq(self.shape, "square")), $bound(self, "width"), $bound(self, "height")));
+return factor;
 }
 }
 $sig(Block, ["shape", "width", "height", "stiffening", "contact_fraction"], false, {shape: () => "square", stiffening: () => 0.54, contact_fraction: () => 1.0});
@@ -8036,8 +8227,8 @@ const $c2e7f = $made(Entry, $cc442, ["shape", $cd99a, false, "", "", "shape", ""
 const $c318b = $made(Limit, $cf70d, ["length", 0.0001, 10.0, false, false]);
 const $ce3ab = $made(Quantity, $cd20a, ["length", $c318b]);
 const $c4c96 = $made(Entry, $cc442, ["width", $ce3ab, true, "", "", "width", ""]);
-const $cd6ed = $made(Limit, $cf70d, ["length", 0.0001, 1.0, false, false]);
-const $c8839 = $made(Quantity, $cd20a, ["length", $cd6ed]);
+const $cd6edf = $made(Limit, $cf70d, ["length", 0.0001, 1.0, false, false]);
+const $c8839 = $made(Quantity, $cd20a, ["length", $cd6edf]);
 const $cbe53 = $made(Entry, $cc442, ["height", $c8839, false, "", "", "height", ""]);
 const $caba4 = $made(Limit, $cf70d, ["number", 0.0, 10.0, false, false]);
 const $ca4ad = $made(Quantity, $cd20a, ["number", $caba4]);
@@ -8099,7 +8290,7 @@ const $c7315 = $made(Entry, $cc442, ["condition_factor", $c611f, false, "", "", 
 const $c3ebe = ["tag", "tables"];
 const $c94b3 = ["integral-log"];
 const $c646a = $made(Choice, $ca793, [$c94b3]);
-const $c813f = $made(Entry, $cc442, ["kind", $c646a, true, "", "", "kind", ""]);
+const $c813f2 = $made(Entry, $cc442, ["kind", $c646a, true, "", "", "kind", ""]);
 const $c3f7f = $made(Name, $c4a10, [60]);
 const $cb8a8 = $made(Entry, $cc442, ["condition", $c3f7f, false, "", "", "condition", ""]);
 const $cd10e = $made(Entry, $cc442, ["provenance", $cc542, false, "", "", "provenance", ""]);
@@ -8197,8 +8388,8 @@ const $cc488 = $made(Entry, $cc442, ["pressure_unit", $ce3fa, false, "", "", "pr
 const $ccc84 = $made(Limit, $cf70d, ["number", 0.0, 0.5, false, false]);
 const $c2620 = $made(Quantity, $cd20a, ["number", $ccc84]);
 const $cb6ac = $made(Entry, $cc442, ["continuity", $c2620, false, "", "", "continuity", ""]);
-const $cde4e = [$c813f, $cb8a8, $cd10e, $cca84, $c1057, $caa9e, $cb813, $c0aa1, $cfb99, $c9fcf, $c160f, $cb799, $c94d6, $c85eb, $cea5d, $cc488, $cb6ac];
-const $c3ac0 = new Map([["kind", $c813f], ["condition", $cb8a8], ["provenance", $cd10e], ["condition_source", $cca84], ["fit", $c1057], ["slip_includes", $caa9e], ["slip_speed_factor", $cb813], ["temperature_factor", $c0aa1], ["notes", $cfb99], ["tested_pressure", $c9fcf], ["tested_slip", $c160f], ["tested_slip_speed", $cb799], ["knots", $c94d6], ["pieces", $c85eb], ["slip_unit", $cea5d], ["pressure_unit", $cc488], ["continuity", $cb6ac]]);
+const $cde4e = [$c813f2, $cb8a8, $cd10e, $cca84, $c1057, $caa9e, $cb813, $c0aa1, $cfb99, $c9fcf, $c160f, $cb799, $c94d6, $c85eb, $cea5d, $cc488, $cb6ac];
+const $c3ac0 = new Map([["kind", $c813f2], ["condition", $cb8a8], ["provenance", $cd10e], ["condition_source", $cca84], ["fit", $c1057], ["slip_includes", $caa9e], ["slip_speed_factor", $cb813], ["temperature_factor", $c0aa1], ["notes", $cfb99], ["tested_pressure", $c9fcf], ["tested_slip", $c160f], ["tested_slip_speed", $cb799], ["knots", $c94d6], ["pieces", $c85eb], ["slip_unit", $cea5d], ["pressure_unit", $cc488], ["continuity", $cb6ac]]);
 const $c5f9b = $made(tables$Table, $cc03e, [IntegralLog, $cde4e, $c3ac0]);
 const $cc85b = ["constant"];
 const $ca100 = $made(Choice, $ca793, [$cc85b]);
@@ -8460,7 +8651,7 @@ const $c7ac1 = $made(Quantity, $cd20a, ["length", $c82e7]);
 const $c8c18 = $made(Entry, $cc442, ["lift", $c7ac1, false, "", "", "lift", ""]);
 const $c54af = $made(Limit, $cf70d, ["mass_per_length", 0.0, 10000.0, true, false]);
 const $ceee3 = $made(Quantity, $cd20a, ["mass_per_length", $c54af]);
-const $c41b1 = $made(Entry, $cc442, ["belt_mass", $ceee3, true, "", "", "belt_mass", ""]);
+const $c41b1 = $made(Entry, $cc442, ["belt_mass", $ceee3, false, "", "", "belt_mass", ""]);
 const $ca8cb = $made(Limit, $cf70d, ["mass_per_length", 0.0, 10000.0, false, false]);
 const $c7f93 = $made(Quantity, $cd20a, ["mass_per_length", $ca8cb]);
 const $caa61 = $made(Entry, $cc442, ["carry_idler_mass", $c7f93, true, "", "", "carry_idler_mass", ""]);
@@ -8552,25 +8743,27 @@ const $cd086 = [$c9675, $c3177, $c6f8d, $ce7fd];
 const $c3ec2 = new Map([["running", $c9675], ["starting", $c3177], ["braking", $c6f8d], ["source", $ce7fd]]);
 const $c3715 = $made(tables$Table, $cc03e, [SafetyFactors, $cd086, $c3ec2]);
 const $cdb8f = $made(Entry, $cc442, ["safety_factor", $c3715, false, "", "", "safety", ""]);
-const $c716b = $made(Limit, $cf70d, ["length", 0.0, 100.0, true, false]);
-const $cd3e8 = $made(Quantity, $cd20a, ["length", $c716b]);
-const $c6bda = $made(Entry, $cc442, ["idler_spacing", $cd3e8, true, "", "idler_spacing = \"3 m\"", "spacing", ""]);
-const $c8e89 = $made(Limit, $cf70d, ["mass_per_length", 0.0, 10000.0, true, false]);
-const $cef54 = $made(Quantity, $cd20a, ["mass_per_length", $c8e89]);
-const $c461d = $made(Entry, $cc442, ["line_mass", $cef54, true, "", "line_mass = \"22 kg/m\"", "line_mass", ""]);
-const $c5904 = $made(Limit, $cf70d, ["number", 0.0, 0.1, true, false]);
-const $cc6ad = $made(Quantity, $cd20a, ["number", $c5904]);
-const $cfcdc = $made(Entry, $cc442, ["share", $cc6ad, false, "", "", "share", ""]);
-const $c13f7 = [$c6bda, $c461d, $cfcdc];
-const $c347d = new Map([["idler_spacing", $c6bda], ["line_mass", $c461d], ["share", $cfcdc]]);
-const $cae53 = $made(tables$Table, $cc03e, [Sag, $c13f7, $c347d]);
-const $c490f = $made(Entry, $cc442, ["sag", $cae53, false, "", "", "sag", ""]);
+const $c8124 = $made(Limit, $cf70d, ["length", 0.0, 100.0, true, false]);
+const $cd6ed = $made(Quantity, $cd20a, ["length", $c8124]);
+const $c9e56 = $made(Entry, $cc442, ["idler_spacing", $cd6ed, true, "", "idler_spacing = \"3 m\"", "spacing", ""]);
+const $ce5b8 = $made(Limit, $cf70d, ["mass_per_length", 0.0, 10000.0, true, false]);
+const $c428b = $made(Quantity, $cd20a, ["mass_per_length", $ce5b8]);
+const $cd978 = $made(Entry, $cc442, ["line_mass", $c428b, false, "", "", "line_mass", ""]);
+const $c38da = $made(Limit, $cf70d, ["number", 0.0, 0.1, true, false]);
+const $cf084 = $made(Quantity, $cd20a, ["number", $c38da]);
+const $c1941 = $made(Entry, $cc442, ["share", $cf084, false, "", "", "share", ""]);
+const $c8410 = [$c9e56, $cd978, $c1941];
+const $c5121 = new Map([["idler_spacing", $c9e56], ["line_mass", $cd978], ["share", $c1941]]);
+const $c9f3b = $made(tables$Table, $cc03e, [Sag, $c8410, $c5121]);
+const $c490f = $made(Entry, $cc442, ["sag", $c9f3b, false, "", "", "sag", ""]);
+const $c72c0 = $made(Flag, [], []);
+const $c1441 = $made(Entry, $cc442, ["covered", $c72c0, false, "", "", "covered", ""]);
 const $cfb1c = $made(Elsewhere, [], []);
 const $cf4d4 = $made(Entry, $cc442, ["train", $cfb1c, false, "", "", "train", ""]);
 const $ce9c0 = $made(Elsewhere, [], []);
 const $cb32b = $made(Entry, $cc442, ["motion", $ce9c0, false, "", "", "motion", ""]);
-const $c4e7d = [$cb73a, $c34bd, $ce3f2, $cb10e, $c750b, $cfe86, $c2dd7, $c141c, $cf53e, $c8364, $cdc1c, $c25c2, $cdb8f, $c490f, $cf4d4, $cb32b];
-const $c8d19 = new Map([["format", $cb73a], ["title", $c34bd], ["description", $ce3f2], ["creep_limit", $cb10e], ["condition", $c750b], ["belt", $cfe86], ["pulley", $c2dd7], ["lagging", $c141c], ["load_case", $cf53e], ["conveyor", $c8364], ["take_up", $cdc1c], ["design_standard", $c25c2], ["safety_factor", $cdb8f], ["sag", $c490f], ["train", $cf4d4], ["motion", $cb32b]]);
+const $c4e7d = [$cb73a, $c34bd, $ce3f2, $cb10e, $c750b, $cfe86, $c2dd7, $c141c, $cf53e, $c8364, $cdc1c, $c25c2, $cdb8f, $c490f, $c1441, $cf4d4, $cb32b];
+const $c8d19 = new Map([["format", $cb73a], ["title", $c34bd], ["description", $ce3f2], ["creep_limit", $cb10e], ["condition", $c750b], ["belt", $cfe86], ["pulley", $c2dd7], ["lagging", $c141c], ["load_case", $cf53e], ["conveyor", $c8364], ["take_up", $cdc1c], ["design_standard", $c25c2], ["safety_factor", $cdb8f], ["sag", $c490f], ["covered", $c1441], ["train", $cf4d4], ["motion", $cb32b]]);
 const $cca53 = $made(tables$Table, $cc03e, [Drive, $c4e7d, $c8d19]);
 const $c2628 = ["name", "kind", "modulus", "rating", "least_pulley_diameter", "carcass"];
 const $ca32a = new Map([["width", $c1da4], ["modulus", $c5a26], ["rating", $c4bc3], ["strength", $c3eaf], ["speed", $c45b0], ["momentary_factor", $cfb5f], ["least_pulley_diameter", $cbc30], ["largest_wrap_pressure", $cf3a1], ["in_plane_shear_stiffness", $cd676], ["pulley_cover", $cbe31], ["carry_cover", $ca3d0], ["carcass", $c9b33], ["thickness", $cbf1f], ["cover_shear_modulus", $c975b], ["mass", $ce1b5]]);
@@ -8919,7 +9112,7 @@ const $c09cc = $re("([A-Za-z°%\"]+)(?:\\^?(-?[1-9]))?", "");
 const $c5fbb = ["length", "force", "force_per_width", "spring_rate", "pressure", "pressure_per_length", "speed", "angle", "power", "torque", "area", "time", "temperature", "per_length", "wear_coefficient", "energy_per_area", "power_per_area", "rotation_speed", "mass", "mass_per_length", "mass_flow", "moment_of_inertia", "number"];
 const $c535d = ["kind", "source", "date", "note"];
 const $c2aaf = $made(Provenance, $c535d, ["given", "", "", "from the coordinates of the pulleys"]);
-const $cf50e = [$cdc1c, $c25c2, $cdb8f, $c490f];
+const $cf50e = [$cdc1c, $c25c2, $cdb8f, $c490f, $c1441];
 const $c6fe1 = ["entry_tension", "exit_tension", "effective_tension", "torque", "power"];
 const $c7939 = new Map([["entry", "entry_tension"], ["exit", "exit_tension"]]);
 const $cef3c = ["material_mass", "capacity", "material_mass = \"120 kg/m\""];
@@ -9064,8 +9257,8 @@ const $ca64e = [$c8c7b, $cdeb8, $c3b23, $c1585, $c06e6, $c62e6, $cd0ab, $c85cb, 
 const $c408e = new Map([["entry_tension", $c8c7b], ["exit_tension", $cdeb8], ["effective_tension", $c3b23], ["power", $c1585], ["run", $c06e6], ["share", $c62e6], ["speeds", $cd0ab], ["diameters", $c85cb], ["motor", $c0179]]);
 const $c8384 = $made(tables$Table, $cc03e, [null, $ca64e, $c408e]);
 const $cf664 = $made(Entry, $cc442, ["train", $c8384, false, "", "", "train", ""]);
-const $ccce2 = [$cb73a, $c34bd, $ce3f2, $cb10e, $c750b, $cfe86, $c2dd7, $c141c, $c7c86, $c8364, $cdc1c, $c25c2, $cdb8f, $c490f, $cf664, $cb32b];
-const $ca19c = new Map([["format", $cb73a], ["title", $c34bd], ["description", $ce3f2], ["creep_limit", $cb10e], ["condition", $c750b], ["belt", $cfe86], ["pulley", $c2dd7], ["lagging", $c141c], ["load_case", $c7c86], ["conveyor", $c8364], ["take_up", $cdc1c], ["design_standard", $c25c2], ["safety_factor", $cdb8f], ["sag", $c490f], ["train", $cf664], ["motion", $cb32b]]);
+const $ccce2 = [$cb73a, $c34bd, $ce3f2, $cb10e, $c750b, $cfe86, $c2dd7, $c141c, $c7c86, $c8364, $cdc1c, $c25c2, $cdb8f, $c490f, $c1441, $cf664, $cb32b];
+const $ca19c = new Map([["format", $cb73a], ["title", $c34bd], ["description", $ce3f2], ["creep_limit", $cb10e], ["condition", $c750b], ["belt", $cfe86], ["pulley", $c2dd7], ["lagging", $c141c], ["load_case", $c7c86], ["conveyor", $c8364], ["take_up", $cdc1c], ["design_standard", $c25c2], ["safety_factor", $cdb8f], ["sag", $c490f], ["covered", $c1441], ["train", $cf664], ["motion", $cb32b]]);
 const $c8e8b = $made(tables$Table, $cc03e, [Drive, $ccce2, $ca19c]);
 const $ca366 = $re("[A-Za-z0-9_-]{1,60}", "");
 const $c4a3b = new Map([["The pulley carries its load.", true], ["Breakaway: no creep makes enough friction for this tension ratio. Raise the slack-side tension (take-up), enlarge the wrap angle, or choose a lagging with more friction.", false], ["The solver did not reach its accuracy on this arc. Please report the drive file; until then change a value slightly.", false], ["The drives carry the load.", true], ["Breakaway: a drive cannot hold its part of the load. Raise the slack-side tension (take-up), bring the speeds closer together, or choose a lagging with more friction.", false], ["No operating point: a motor would have to work beyond its curve. Change its set speed or gear, or choose another motor.", false], ["The solver did not reach its accuracy on this train. Please report the drive file; until then change a value slightly.", false]]);
@@ -9087,8 +9280,9 @@ const $c48c7 = new Map([[0, $caf89], [1, $c4313], [2, $ca9e8]]);
 const $cc89a = ["exit_creep", "peak_shear_stress", "largest_slip", "slip_speed"];
 const $c960d = $made(Rule, $cfe5e, ["design_standard", "the design standard", "ATTENTION", NaN, NaN, false, "force", "raise", true, of_arc___binds, "", null, null, null, null, null, of_arc___standard]);
 const $cc27f = $made(Rule, $cfe5e, ["creep", "the creep limit", "ATTENTION", 0.0635, 0.0127, true, "length", "raise", true, null, "exit_creep", null, null, of_arc___creep_limit, null, of_arc___creeps, null]);
-const $cabb1 = $made(Rule, $cfe5e, ["cover_creep", "the creep limit, with the cover of the belt in series", "ATTENTION", NaN, NaN, true, "length", "raise", false, null, "", null, null, null, null, null, of_arc___cover_creep]);
-const $c3e65 = $made(Rule, $cfe5e, ["creep_interval", "the creep limit, at the end of the interval of the law", "ATTENTION", NaN, NaN, true, "length", "raise", false, null, "", null, null, null, null, null, in_page_checks__creep_interval]);
+const $c8a85 = $made(Rule, $cfe5e, ["cover_creep", "the creep limit, with the cover of the belt in series", "ATTENTION", NaN, NaN, true, "length", "raise", false, null, "", null, null, null, null, null, of_arc___cover_creep]);
+const $cef26 = $made(Rule, $cfe5e, ["creep_interval", "the creep limit, at the end of the interval of the law", "ATTENTION", NaN, NaN, true, "length", "raise", false, null, "", null, null, null, null, null, in_page_checks__creep_interval]);
+const $c2e75 = $made(Rule, $cfe5e, ["wet_creep", "the creep limit when wet (estimated)", "ATTENTION", NaN, NaN, true, "length", "raise", false, null, "", null, null, null, null, null, of_wet___wet_creep]);
 const $c8994 = $made(Rule, $cfe5e, ["belt_tension", "the rating of the belt", "FAILS", NaN, NaN, true, "force", "lower", true, null, "", of_drive___tight, of_drive___running_tension, of_drive___over_width, null, of_drive___running, null]);
 const $c5c30 = $made(Rule, $cfe5e, ["momentary_tension", "the momentary rating of the belt", "FAILS", NaN, NaN, true, "force", "lower", true, null, "", of_drive___tight, of_drive___momentary_tension, of_drive___over_width, null, of_drive___momentary, null]);
 const $c25bf = $made(Rule, $cfe5e, ["belt_safety", "the safety factor of the belt", "ATTENTION", 3.0, NaN, false, "number", "lower", true, of_drive___rated, "", of_drive___belt_safety, of_drive___asked_safety, null, of_drive___rounded_safety, of_drive___safety, null]);
@@ -9103,7 +9297,7 @@ const $c5a91 = $made(Rule, $cfe5e, ["tested_slip", "the largest slip tested", "A
 const $c5d85 = $made(Rule, $cfe5e, ["tested_slip_speed", "the slip speed tested", "ATTENTION", NaN, NaN, true, "speed", "", false, null, "slip_speed", null, of_arc___tested_speed, null, null, of_arc___slips_fast, null]);
 const $c0d6e = $made(Rule, $cfe5e, ["balance", "the energy balance", "FAULT OF THE PROGRAM", NaN, NaN, true, "number", "", false, null, "", null, null, null, null, null, of_arc___balance]);
 const $c8634 = $made(Rule, $cfe5e, ["sag", "the sag of the belt", "ATTENTION", NaN, NaN, false, "force", "raise", true, null, "", of_drive___slack_end, of_drive___sag_tension, null, null, of_drive___sags, null]);
-const $cedd5 = [$c960d, $cc27f, $cabb1, $c3e65, $c8994, $c5c30, $c25bf, $c72eb, $ce298, $cb3d1, $cc16f, $cfecd, $cabd6, $c3f6d, $c5a91, $c5d85, $c0d6e, $c8634];
+const $cedd5 = [$c960d, $cc27f, $c8a85, $cef26, $c2e75, $c8994, $c5c30, $c25bf, $c72eb, $ce298, $cb3d1, $cc16f, $cfecd, $cabd6, $c3f6d, $c5a91, $c5d85, $c0d6e, $c8634];
 const $ca865 = $made(Rule, $cfe5e, ["pulley_diameter", "the least pulley of the belt", "FAILS", NaN, NaN, false, "length", "", true, null, "", of_drive___diameter, of_drive___least_diameter, null, null, of_drive___bends, null]);
 const $c35d3 = ["Transition", "GrippingPulley"];
 const $c347b = [1.0, 2.0];
@@ -9237,6 +9431,9 @@ const $cc189 = new Map([["pressure_min", $cde5a4], ["pressure_max", $ca5a3f], ["
 const $cece7 = [0.03, 1.9];
 const $c5944 = ["force", "mass_per_length"];
 const $cb216 = new Map([["illustrative", "on illustrative data"], ["untested", "on friction without tests"], ["estimated", "on estimated data"], ["calibrated", "on calibrated data"]]);
+const $c2aa0 = [0.0015, 0.006];
+const $c02c1 = [0.003, 0.015];
+const $c1f4f = [$c2aa0, $c02c1];
 const $cd36e = new WeakMap();
 const $c63ca = [180.0, 1.2];
 const $c0098 = [200.0, 1.0];
@@ -9316,14 +9513,14 @@ const $c384c = [0.35, 0.35];
 const $c15e3 = $made(Provenance, $c535d, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "ceramic in rubber"]);
 const $c8b09 = $made(DesignFriction, $c9a2a, ["practice", "ceramic", "wet and dirty", $c384c, $c15e3]);
 const $c9375 = [$c88e7, $cd062, $c16b7, $c1654, $c069c, $cd73e, $c8dc3, $c465b, $c4544, $caf0d, $c33d6, $c4015, $c762e, $c2a06, $c4014, $c68bd, $cf0f2, $ca0d7, $cb79a, $c0e8c, $c8b09];
-const $c5af9 = new Set(["cover_creep", "creep", "creep_interval", "design_standard", "gross_slip", "sag", "tested_pressure_min", "tested_slip", "uneven_creep"]);
+const $c5af9 = new Set(["cover_creep", "creep", "creep_interval", "design_standard", "gross_slip", "sag", "tested_pressure_min", "tested_slip", "uneven_creep", "wet_creep"]);
 const $c09e2 = new Set(["belt_safety", "belt_tension", "edge_tension", "face_pressure", "momentary_tension", "tested_pressure_max", "uneven_face_pressure", "uneven_pressure"]);
 const $c3879 = new Map([["uneven_creep", "creep"], ["uneven_pressure", "tested_pressure_max"], ["uneven_face_pressure", "face_pressure"], ["uneven_bond_stress", "bond_stress"], ["uneven_fatigue_stress", "fatigue_stress"], ["edge_tension", "belt_tension"]]);
 const $c75f4 = $made(Rule, $cfe5e, ["taut", "a belt that nowhere hangs slack", "ATTENTION", NaN, NaN, false, "number", "", true, null, "", null, null, null, null, null, null]);
 const $c13e8 = $made(Rule, $cfe5e, ["belt_thickness", "a trim without the thickness of the belt", "ATTENTION", NaN, NaN, true, "number", "", true, null, "", null, null, null, null, null, null]);
 const $c9629 = $made(Rule, $cfe5e, ["usual_sizes", "an unusual size", "ATTENTION", NaN, NaN, true, "number", "", false, null, "", null, null, null, null, null, null]);
 const $c376b = $made(Rule, $cfe5e, ["motor_heat", "the heat that a motor bears", "ATTENTION", NaN, NaN, true, "time", "", true, null, "", null, null, null, null, null, null]);
-const $c1dc5 = new Map([["gross_slip", $c84c4], ["design_standard", $c960d], ["creep", $cc27f], ["cover_creep", $cabb1], ["creep_interval", $c3e65], ["belt_tension", $c8994], ["momentary_tension", $c5c30], ["belt_safety", $c25bf], ["face_pressure", $c72eb], ["bond_stress", $ce298], ["fatigue_stress", $cb3d1], ["tested_pressure_max", $cc16f], ["tested_pressure_min", $cfecd], ["condition", $cabd6], ["fit", $c3f6d], ["tested_slip", $c5a91], ["tested_slip_speed", $c5d85], ["balance", $c0d6e], ["sag", $c8634], ["taut", $c75f4], ["pulley_diameter", $ca865], ["belt_thickness", $c13e8], ["usual_sizes", $c9629], ["motor_load", $c0dbc], ["momentary_load", $c58a5], ["motor_heat", $c376b], ["train_balance", $cb138]]);
+const $c1dc5 = new Map([["gross_slip", $c84c4], ["design_standard", $c960d], ["creep", $cc27f], ["cover_creep", $c8a85], ["creep_interval", $cef26], ["wet_creep", $c2e75], ["belt_tension", $c8994], ["momentary_tension", $c5c30], ["belt_safety", $c25bf], ["face_pressure", $c72eb], ["bond_stress", $ce298], ["fatigue_stress", $cb3d1], ["tested_pressure_max", $cc16f], ["tested_pressure_min", $cfecd], ["condition", $cabd6], ["fit", $c3f6d], ["tested_slip", $c5a91], ["tested_slip_speed", $c5d85], ["balance", $c0d6e], ["sag", $c8634], ["taut", $c75f4], ["pulley_diameter", $ca865], ["belt_thickness", $c13e8], ["usual_sizes", $c9629], ["motor_load", $c0dbc], ["momentary_load", $c58a5], ["motor_heat", $c376b], ["train_balance", $cb138]]);
 const $c9028 = new Map([["distributed", "distributed"], ["paper", "paper's march"]]);
 const $c450e = new WeakMap();
 const $c3f74 = ["name", "surface", "material", "life_years", "provenance"];
@@ -9346,7 +9543,7 @@ const $c246c = ["format", "name", "title", "description", "surface", "thickness"
 const $c6dce = ["name", "title", "surface", "elastic_modulus", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "description"];
 const $c65ce = ["elastic_modulus", "shear_modulus", "compression_modulus", "block"];
 const $c9095 = ["thickness", "shear_modulus", "compression_modulus"];
-const $cd06c = new Map([["width", $c318b], ["height", $cd6ed], ["stiffening", $caba4], ["contact_fraction", $cbc3c]]);
+const $cd06c = new Map([["width", $c318b], ["height", $cd6edf], ["stiffening", $caba4], ["contact_fraction", $cbc3c]]);
 const $cf9e0 = new Map([["friction_coefficient", "friction"], ["slip_max", "tested_slip"], ["tested", "tested_pressure"], ["pieces.a", "A"], ["values", "rows"], ["peak_friction", "knots"], ["peak_slip", "knots"], ["post_peak_slope", "knots"], ["residual_friction", "knots"]]);
 const $c2f5d = new Map([["integral-log", "knots"], ["table", "rows"]]);
 const $cfe34 = $re("\\s*(?<sign>[+-])?\\s*(?<number>(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)?\\s*\\*?\\s*(?<factor>p(?:\\s*\\^\\s*(?:\\(\\s*(?<within>[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)\\s*\\)|(?<power>[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)))?|ln\\(\\s*p\\s*\\)(?:\\s*\\^\\s*(?<log_power>[123]))?|exp\\((?<exponent>(?:[^()]|\\(\\s*p\\s*\\))*)\\))?\\s*", "");
@@ -9377,9 +9574,10 @@ const $cb919 = ["compression_modulus", "block"];
 const $c3e4a = [$cb919];
 const $c31a8 = new Set(["belt_energy_share", "block", "bond_strength", "compression_modulus", "condition_factor", "cost", "elastic_modulus", "fatigue_limit", "law", "shear_modulus", "slip_speed", "temperature", "thickness", "wear_coefficient"]);
 const $ca1a4 = new RunsGain(0.0, 0.0);
+const $cde36 = $made(Provenance, $c535d, ["given", "", "", "belt_mass of [conveyor]"]);
 const $cf273 = ["effective_tension", "torque", "power"];
 const $c3ab3 = ["share", "speeds", "motor"];
-const $c1dc7 = ["data", "sense"];
+const $c1dc7 = ["data", "belt_mass", "sense"];
 const $c13db = new Map([["NOT CHECKED", 0], ["OK", 1], ["ATTENTION", 2], ["FAILS", 3], ["FAULT OF THE PROGRAM", 4]]);
 const $ce5b4 = $Decimal.of("0");
 const $c0555 = [""];
@@ -9404,7 +9602,7 @@ const $c3530 = new Map([["sheave_ratio", $cf433]]);
 const $ce0a3 = new Map([["friction", $c724b], ["start_factor", $c83ab]]);
 const $cc53c = new Map([["running", $c83ab], ["starting", $c83ab], ["braking", $c83ab]]);
 const $c2839 = ["of"];
-const $cff51 = ["key", "kind", "example", "attribute"];
+const $c813f = ["key", "kind", "required", "example", "attribute"];
 const $c1e36 = ["dimension", "least"];
 const $cb8db = ["word", "kind"];
 const $c0b27 = ["kind"];
@@ -9414,7 +9612,7 @@ const $c4a2b = new Map([["steel cord", 1600000.0], ["fabric", 140000.0]]);
 const $ca5fa = new Map([["steel cord", 6.666666666666667], ["fabric", 8.0]]);
 const $cdeae = ["name", "what", "missed", "at_most", "dimension", "tension", "binding", "firm", "result", "value", "limit", "words"];
 const $c7c4c = ["balance", "train_balance", "across_balance"];
-const $c3c1c = ["cover_creep", "creep_interval", "tested_slip_speed"];
+const $c3c1c = ["cover_creep", "creep_interval", "tested_slip_speed", "wet_creep"];
 const $c5573 = ["gross_slip", "operating_point", "fight"];
 const $cc969 = ["on illustrative data", "on friction without tests", "on estimated data", "on calibrated data"];
 const $ccbad = [false, false];
@@ -9455,7 +9653,7 @@ const $c29b0 = $re("knots\\[([0-9]{1,4})\\]\\.(peak_slip|peak_friction)", "");
 const $ce5b4b = $Decimal.of("0");
 const $cf7bc = new Map([["misalignment", $cbde1], ["deflection", $c94dd]]);
 const $c7ba7 = new Map([["diameter", $cd632], ["wrap_angle", $c1cfe], ["overrun", $cd18d], ["creep_limit", $c2680], ["mass", $c7194]]);
-const $c2d0e = new Map([["spacing", $c716b], ["line_mass", $c8e89], ["share", $c5904]]);
+const $c2d0e = new Map([["spacing", $c8124], ["line_mass", $ce5b8], ["share", $c38da]]);
 const $c75fc = new Map([["material", $c78fc], ["installation", $c92d0], ["area", $c0c54]]);
 const $c6657 = $made(Limit, $cf70d, ["number", 0.0, 10.0, true, false]);
 const $c6e1f0 = new Map([["factor", $c6657]]);
@@ -9497,7 +9695,7 @@ Tensions.LIMITS = Tensions.prototype.LIMITS = $cf120;
 LoadCase.$compared = LoadCase.$names;
 Drive.$compared = ["title", "belt", "pulleys", "load_cases", "creep_limit", "criteria", "description"];
 Drive.LIMITS = Drive.prototype.LIMITS = $cd5c6;
-Train.$compared = Train.$names;
+Train.$compared = ["title", "description", "belt", "pulleys", "cases", "nominal_diameters", "creep_limit", "criteria"];
 Train.LIMITS = Train.prototype.LIMITS = $cd5c69;
 $sig(Reader, ["record", "belt", "pulleys", "report", "take_up"], false);
 CatalogueBelt.$compared = CatalogueBelt.$names;
@@ -9520,6 +9718,7 @@ Sliding.$compared = Sliding.$names;
 VariableSpeed.$compared = VariableSpeed.$names;
 VariableSpeed.LIMITS = VariableSpeed.prototype.LIMITS = $ca384;
 Sizes.$compared = Sizes.$names;
+MassRange.$compared = MassRange.$names;
 Figure.$compared = Figure.$names;
 Asked.$compared = Asked.$names;
 LeastTension.$compared = LeastTension.$names;
