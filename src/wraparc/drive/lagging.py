@@ -161,6 +161,11 @@ class Lagging(Viewable):
         raise_all(problems)
 
     @property
+    def contact_fraction(self) -> float:
+        """f, part of the gross area that blocks cover, 1 without blocks [-]."""
+        return 1.0 if self.block is None else self.block.contact_fraction
+
+    @property
     def shear_compliance(self) -> float:
         """h/G, shear displacement per shear stress beside the slip of the law [m/Pa].
 

@@ -231,9 +231,8 @@ class DriveSource:
         varied = {self._columns[f] for f in self._columns if f in values}
         laggings = [d.pulley(self.pulley).lagging for d in drives]
         if "shear_modulus" in varied:  # a file has that of the rubber
-            covered = np.array([1.0 if g.block is None else g.block.contact_fraction
-                                for g in laggings])  # fmt: skip
-            columns["shear_modulus"] = columns["shear_modulus"] * covered[which]
+            contact = np.array([lagging.contact_fraction for lagging in laggings])
+            columns["shear_modulus"] = columns["shear_modulus"] * contact[which]
         if "compression_modulus" not in varied:
             thickness = columns["lagging_thickness"]
             columns["compression_modulus"] = compression_moduli(laggings, which, thickness)
