@@ -30,9 +30,9 @@ from wraparc.answer import (
 )
 from wraparc.answer import least_tension as leasts
 from wraparc.answer.sheet import term
-from wraparc.arc import Status, answer, capacity, profile
+from wraparc.arc import Status, answer, capacity, grip, profile
 from wraparc.catalogue import loader
-from wraparc.checks import gross_slip, of_arc
+from wraparc.checks import of_arc
 from wraparc.checks.check import Level
 from wraparc.checks.judge import _across, judge
 from wraparc.checks.least_tension import (
@@ -182,9 +182,9 @@ READER: dict[str, Any] = {
 }
 #: Functions of the page in the place of those that solve, and of those that form texts.
 OF_CHECKS: dict[Any, Any] = {
-    gross_slip.sliding: in_page_checks.sliding,
-    gross_slip.lift: in_page_checks.lift,
-    gross_slip.wet: in_page_checks.wet,
+    grip.sliding: in_page_checks.sliding,
+    grip.lift: in_page_checks.lift,
+    grip.wet: in_page_checks.wet,
     least_with_slip: in_page_checks.least_with_slip,
     least_when_covered: in_page_checks.least_when_covered,
     least_when_wet: in_page_checks.least_when_wet,

@@ -42,6 +42,13 @@ class Quantity:
         return " ".join(part for part in parts if part)
 
 
+#: What became of quantities by their old names.
+RENAMED: Mapping[str, str] = MappingProxyType(
+    {
+        "gross_slip_margin": "Now gross_slip_safety, the number of the check; the former ratio, "
+        "extrapolated beyond the tests, is extrapolated_gross_slip_margin."
+    }
+)
 QUANTITIES: tuple[Quantity, ...] = (
     # the drive as described
     Quantity(
@@ -364,8 +371,15 @@ QUANTITIES: tuple[Quantity, ...] = (
         "extrapolation, often far beyond any tested slip.",
     ),
     Quantity(
-        "gross_slip_margin", "", "number", "Margin to gross slip",
-        "Capacity at gross slip over the actual ratio.",
+        "extrapolated_gross_slip_margin", "", "number", "Margin to gross slip, extrapolated",
+        "Capacity at gross slip over the actual ratio: by the law alone, beyond its tests, with "
+        "the tight side held. No safety factor.",
+    ),
+    Quantity(
+        "gross_slip_safety", "", "number", "Safety against gross slip",
+        "Pull at which the belt slides over the pull, as the take-up lets the tensions grow; it "
+        "slides at a creep of 63.5 mm, at the end of the tested slip or where all friction is used "
+        "up, whichever comes first.",
     ),
     Quantity(
         "gross_slip_creep", "", "length", "Creep at gross slip",

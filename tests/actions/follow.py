@@ -6,9 +6,11 @@ from dataclasses import dataclass
 from typing import Any
 
 from wraparc.actions import find_action, settings_of
-from wraparc.actions.search import DATA_CHECKS
-from wraparc.checks import Level, Verdict, judge
+from wraparc.actions.score import DATA_CHECKS
+from wraparc.actions.variant import rounded_up
+from wraparc.checks import Check, Level, Verdict, judge
 from wraparc.checks.action import Action, Way
+from wraparc.errors import shown
 from wraparc.schema.overrides import put_over
 from wraparc.train.file import drive_or_train_from_document
 from wraparc.train.keys import TRAIN_FILE
@@ -63,6 +65,7 @@ def follow(document: dict[str, Any]) -> Followed:
         action = find_action(result)
         if action is None or not action.ways:
             told.end = end_of(judge(result), action)
+            told.wrong += faults_of_words(document, judge(result))
             return told
         told.rounds += 1
         first: tuple[dict[str, Any], Whole] | None = None
@@ -80,6 +83,30 @@ def follow(document: dict[str, Any]) -> Followed:
             return told
     told.wrong.append("no end")
     return told
+
+
+def carried_out(check: Check) -> dict[str, object]:
+    """Return what a check asks for in words, as values of keys; empty where nobody can give it."""
+    key = f"pulley.{shown(check.place.pulley)}"
+    if check.name in ("bond_stress", "fatigue_stress"):
+        name = "bond_strength" if check.name == "bond_stress" else "fatigue_limit"
+        return {f"{key}.lagging.{name}": f"{rounded_up(check.value)!r} Pa"}
+    if check.name == "belt_thickness":
+        return {"belt.pulley_cover": "4 mm", "belt.carry_cover": "6 mm", "belt.carcass": "8 mm"}
+    if check.name == "crown":
+        return {f"{key}.across.shell_profile": {"crown": f"{check.limit / 2.0!r} m"}}
+    return {}
+
+
+def faults_of_words(document: dict[str, Any], before: Verdict) -> list[str]:
+    """Return which check is missed still when what it asks for in words is given."""
+    worst = before.governing
+    given = carried_out(worst) if worst is not None and worst.missed else {}
+    if worst is None or not given:
+        return []
+    after = judge(solved_document(put_over(document, given, TRAIN_FILE)))
+    missed = worst.name in {check.name for check in after.missed}
+    return [f"{worst.name} is missed still, given {given}"] if missed else []
 
 
 def end_of(verdict: Verdict, action: Action | None) -> str:

@@ -7,7 +7,8 @@ import math
 
 import pytest
 
-from wraparc.actions.search import Task, find_ways, is_allowed
+from wraparc.actions.score import is_allowed
+from wraparc.actions.search import find_ways
 from wraparc.actions.too_large import percent_too_large
 from wraparc.actions.variant import (
     LAGGING,
@@ -16,6 +17,7 @@ from wraparc.actions.variant import (
     RATING,
     WRAP,
     Outcome,
+    Task,
     Variant,
     at_rung,
     rounded_down,

@@ -116,11 +116,13 @@ def test_margins_and_equivalent_friction(name: str) -> None:
         c = result.capacities
         ratio = max(arc.entry_tension / arc.exit_tension, arc.exit_tension / arc.entry_tension)
         assert c.creep_limit_margin == pytest.approx(c.creep_limit_capacity / ratio, rel=1e-14)
-        assert c.gross_slip_margin == pytest.approx(c.gross_slip_capacity / ratio, rel=1e-14)
+        assert c.extrapolated_gross_slip_margin == pytest.approx(
+            c.gross_slip_capacity / ratio, rel=1e-14
+        )
         mu = math.log(c.creep_limit_capacity) / arc.wrap_angle
         assert c.equivalent_friction == pytest.approx(mu, rel=1e-14)
         assert result.within_creep_limit == (c.creep_limit_margin >= 1)
-        assert (result.status is Status.BREAKAWAY) == (c.gross_slip_margin < 1)
+        assert (result.status is Status.BREAKAWAY) == (c.extrapolated_gross_slip_margin < 1)
         assert c.creep_limit_capacity <= c.gross_slip_capacity * (1 + 1e-9)
         if arc.law.tested is None:
             assert math.isnan(c.tested_slip_capacity)
@@ -289,13 +291,15 @@ def test_breakaway_is_an_answer(name: str, braking: bool) -> None:
         # the tensions are those asked for, and no state between them is told
         told = {name: value for name, value in result.scalars().items() if value == value}
         asked_for = {"entry_tension", "exit_tension", "tension_ratio", "effective_tension"}
+        asked_for |= {"gross_slip_safety"}
+        assert result.gross_slip_safety < 1.0
         assert told.keys() == asked_for | told.keys() & vars(result.capacities).keys()
         assert (result.entry_tension, result.exit_tension) == (
             asked.entry_tension, asked.exit_tension,
         )  # fmt: skip
         assert len(result.profile) == 0
         assert result.capacities.gross_slip_capacity == pytest.approx(gross, rel=1e-7)
-        assert result.capacities.gross_slip_margin == pytest.approx(0.5, rel=1e-7)
+        assert result.capacities.extrapolated_gross_slip_margin == pytest.approx(0.5, rel=1e-7)
 
 
 def test_capacities_can_be_left_out() -> None:

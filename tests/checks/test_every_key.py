@@ -346,7 +346,7 @@ creep = "8 mm"
 bond_stress = "1 MPa"
 creep_limit_margin = 1
 tested_slip_margin = 1
-gross_slip_margin = 1.25
+gross_slip_safety = 1.25
 rating_share.design = 1
 sag = { idler_spacing = "3 m", line_mass = "22 kg/m", share = 0.02 }
 [[condition]]

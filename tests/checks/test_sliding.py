@@ -17,12 +17,9 @@ from checks.test_least_tension import random_drives
 from checks.test_rows import quiet, rigid
 from wraparc import Drive, Tensions, load_lagging, solve
 from wraparc.arc import ArcResult, Distributed, WrapArc
+from wraparc.arc.grip import Rise, lift, loaded_arc, sliding
 from wraparc.arc.gross_slip import Line
-from wraparc.batch import Setting
-from wraparc.batch.arcs import Arcs, arcs_of_table
-from wraparc.checks import judge, sliding_rows
-from wraparc.checks.gross_slip import Rise, lift, loaded_arc, rises, sliding
-from wraparc.checks.sliding import (
+from wraparc.arc.sliding import (
     CREEP,
     MOST,
     SLIDES,
@@ -31,8 +28,13 @@ from wraparc.checks.sliding import (
     carried_at,
     pull_at_sliding,
 )
-from wraparc.checks.sliding import tight_at_sliding as tight_of_one
-from wraparc.checks.sliding_rows import LoadedRows, pulls_at_sliding, tight_at_sliding
+from wraparc.arc.sliding import tight_at_sliding as tight_of_one
+from wraparc.batch import Setting
+from wraparc.batch import sliding as sliding_rows
+from wraparc.batch.arcs import Arcs, arcs_of_table
+from wraparc.batch.sliding import LoadedRows, pulls_at_sliding, tight_at_sliding
+from wraparc.checks import judge
+from wraparc.checks.gross_slip import rises
 from wraparc.drive import Lagging, TakeUp
 from wraparc.files.write import drive_document
 from wraparc.friction import PressureKnots
@@ -191,7 +193,7 @@ def test_many_arcs_slide_where_each_does(
         raise AssertionError("a search")
 
     monkeypatch.setattr(sliding_rows, "_places", searches)
-    monkeypatch.setattr("wraparc.checks.sliding.slide_place", searched)
+    monkeypatch.setattr("wraparc.arc.sliding.slide_place", searched)
     lagging = LAGGINGS[name]
     arcs = designs(side, lagging, 4)
     many = LoadedRows.of(arcs, setting=Setting.PRECISE)

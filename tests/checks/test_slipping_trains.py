@@ -1,6 +1,6 @@
 """Trains that a drum of slips: one verdict in every door, and no number where there is no state.
 
-Expected: sliding by friction's own limit (`checks.sliding`, held to definitions elsewhere), and the
+Expected: sliding by friction's own limit (`arc.sliding`, held to definitions elsewhere), and the
 same verdict as `wraparc solve` from every other door.
 """
 

@@ -19,9 +19,9 @@ from wraparc import InputError, Train, load_drive, load_train, solve_train
 from wraparc.answer.sheet import shown
 from wraparc.answer.train_sheet import train_sheet
 from wraparc.checks import judge, least_tension, margins_of
-from wraparc.checks.gross_slip import given_up, rises, rises_of
-from wraparc.checks.numbers import rise_among
+from wraparc.checks.gross_slip import rises
 from wraparc.drive import Pulley, TakeUp
+from wraparc.drive.pull import given_up, rise_among, rises_of
 from wraparc.files.write import drive_document
 from wraparc.study.file import study_from_document
 from wraparc.study.run import run_study

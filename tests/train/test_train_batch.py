@@ -226,7 +226,7 @@ def test_rows_without_a_solution_are_told_apart() -> None:
     assert given.status.tolist() == [1, 1]
     assert given.reason(1) == "p2 breaks away."
     assert given.fallen.tolist() == [[False, True]] * 2
-    assert given["p2"]["gross_slip_margin"][1] < 1.0
+    assert given["p2"]["extrapolated_gross_slip_margin"][1] < 1.0
     weak = replace(INDUCTION, rated_power=60e3)
     motors = train(pulleys(2), case(Motors((weak, weak))), belt=STEEL)
     beyond = solve_train_batch(motors, {"exit_tension": [50e3, 140e3]})

@@ -193,7 +193,7 @@ def _slack(found: Found, even: ArcResult) -> AcrossResult:
 def _near_gross_slip(even: ArcResult) -> bool:
     """Whether the even belt is within a tenth of breaking away."""
     whole = Distributed().solve(even.arc).capacities
-    margin = whole.gross_slip_margin
+    margin = whole.extrapolated_gross_slip_margin
     return math.isfinite(margin) and margin < 1.1
 
 

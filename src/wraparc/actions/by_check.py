@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from wraparc.actions.texts import Phrase
 from wraparc.actions.variant import (
     DIAMETER,
     LAGGING,
@@ -13,6 +14,7 @@ from wraparc.actions.variant import (
     WRAP,
 )
 from wraparc.checks.check import Check
+from wraparc.drive import Belt
 from wraparc.units import Cell
 
 GRIP = (RAISE, WRAP, LAGGING)
@@ -36,17 +38,28 @@ def kinds_of(check: Check) -> tuple[str, ...]:
     return KINDS.get(check.name, ())
 
 
-def test_phrase(check: Check, lagging: str) -> tuple[str, str] | None:
-    """Return verb and rest of what is to be tested; None where tests do not answer a check."""
+def first_phrase(check: Check) -> Phrase | None:
+    """Return what is to be given before anything is changed: what is missing decides a check."""
+    if check.name == "cover_creep":
+        return Phrase("give", "the test belt cover ([test_belt])")
+    return None
+
+
+def last_phrase(check: Check, lagging: str, belt: Belt) -> Phrase | None:
+    """Return what is to be tested or given where changes are not enough; None where nothing is."""
     value = Cell(check.value, check.dimension, form="up")
     least = Cell(check.value, check.dimension, form="down")
+    if check.name == "momentary_tension" and belt.momentary_factor is None:
+        factor = Cell(check.value / check.limit, "number", form="up")
+        return Phrase("give", f"momentary_factor {factor} if the maker allows it")
+    if check.name == "creep_interval":
+        return Phrase("try", "testing more samples")
     rests = {
         "tested_slip": f"the lagging to {value} slip",
-        "tested_slip_speed": f"the lagging at {value}",
         "tested_pressure_max": f"the lagging at {value}",
         "uneven_pressure": f"the lagging at {value}",
         "tested_pressure_min": f"the lagging at {least}",
         "wet_creep": f"{lagging} wet",
     }
     rest = rests.get(check.name)
-    return None if rest is None else ("test", rest)
+    return None if rest is None else Phrase("test", rest)

@@ -7,14 +7,15 @@ from math import inf, isfinite
 from weakref import WeakKeyDictionary
 
 from wraparc import catalogue
-from wraparc.actions.by_check import GRIP, kinds_of, test_phrase
+from wraparc.actions.by_check import GRIP, first_phrase, kinds_of, last_phrase
 from wraparc.actions.document import Source, source_of
 from wraparc.actions.rows import RowEvaluator
-from wraparc.actions.search import DATA_CHECKS, Evaluate, Task, count_left, find_ways
+from wraparc.actions.score import DATA_CHECKS, count_left
+from wraparc.actions.search import Evaluate, find_ways
 from wraparc.actions.single import FilteredEvaluator, SingleEvaluator, outcome_of
-from wraparc.actions.texts import Names, Phrase, none_text, phrase_of, sentence_of
+from wraparc.actions.texts import Names, none_text, phrase_of, sentence_of
 from wraparc.actions.too_large import percent_too_large
-from wraparc.actions.variant import DIAMETER, LAGGING, RAISE, WRAP
+from wraparc.actions.variant import DIAMETER, LAGGING, RAISE, WRAP, Task
 from wraparc.checks.action import Action, Way
 from wraparc.checks.check import Check, Level, Verdict
 from wraparc.checks.judge import judge
@@ -70,10 +71,13 @@ def _find(result: Whole) -> Action | None:
         )
         for way, phrase in zip(found.ways, phrases, strict=True)
     )
-    tested = test_phrase(worst, _lagging(worst, result))
+    first = first_phrase(worst)
+    last = last_phrase(worst, _lagging(worst, result), source.described.belt)
     alone = sum(check.name not in DATA_CHECKS for check in verdict.missed) == 1
-    if tested is not None and len(ways) < 2 and (alone or not ways):
-        phrases.append(Phrase(*tested))
+    if first is not None:
+        phrases.insert(0, first)
+    if last is not None and len(phrases) < 2 and (alone or not phrases):
+        phrases.append(last)
     if phrases:
         return Action(sentence_of(phrases), ways)
     if RAISE not in kinds_of(worst):

@@ -6,10 +6,11 @@ many variants at once, by rows or one by one.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from math import inf, log
 from typing import NamedTuple
 
+from wraparc.actions.score import Score, is_allowed, score_of
 from wraparc.actions.variant import (
     DIAMETER,
     LAGGING,
@@ -20,6 +21,7 @@ from wraparc.actions.variant import (
     STRENGTH,
     WRAP,
     Outcome,
+    Task,
     Variant,
     at_rung,
     key_of,
@@ -28,16 +30,8 @@ from wraparc.actions.variant import (
     rung_above,
     rung_below,
 )
-from wraparc.checks.check import Level
 
 Evaluate = Callable[[list[Variant]], list[Outcome]]
-#: Checks that data are missing for: no change of the drive answers them, and none is held to them.
-DATA_CHECKS = (
-    "condition", "fit", "usual_sizes", "belt_thickness", "tested_slip_speed", "case_kind",
-    "profile_extent", "reserve", "data", "sense",
-)  # fmt: skip
-#: Rank of a check that fails.
-FAILS = Level.FAILS.rank
 #: Largest wrap that is offered [deg].
 MOST_WRAP = 240
 #: Most changes that are made together.
@@ -58,63 +52,6 @@ _BY_SHARE: dict[str, tuple[str, ...]] = {
     ),
     SPACING: ("sag",),
 }  # fmt: skip
-
-
-class Score(NamedTuple):
-    """How much is left, the less the better: checks that are missed, and the worst level."""
-
-    left: int
-    level: int
-
-    @property
-    def weight(self) -> int:
-        """One number to compare by."""
-        return 100 * self.left + self.level
-
-
-class Task(NamedTuple):
-    """What the search begins with.
-
-    Attributes
-    ----------
-    now
-        Outcome of the drive as it is.
-    first, kinds
-        What may be changed: for the governing check, and for any that is missed.
-    tension, lowest, highest
-        At the take-up: as it is, and within what it is tried [N].
-    wrap
-        Wrap angle of the only pulley, 0 where it is not to be changed [deg].
-    laggings
-        Names of the catalogue that are tried.
-    rating, strength, diameter, spacing
-        As they are; 0 where they are not known [N/m, N/m, m, m].
-    points
-        Tensions that are tried between the ends; 0 for those alone that the checks state.
-    wrap_step
-        Between the wraps that are tried first [deg].
-    splits
-        Values that are tried at once between one that leaves more and one that leaves as little.
-    within
-        Rounded tensions within which the nearest one is found.
-    """
-
-    now: Outcome
-    first: tuple[str, ...]
-    kinds: tuple[str, ...]
-    tension: float
-    lowest: float
-    highest: float
-    wrap: float
-    laggings: tuple[str, ...]
-    rating: float
-    strength: float
-    diameter: float
-    spacing: float
-    points: int
-    wrap_step: int
-    splits: int
-    within: int
 
 
 class Candidate(NamedTuple):
@@ -139,37 +76,6 @@ class Found(NamedTuple):
 
     ways: tuple[Candidate, ...]
     tried: tuple[Candidate, ...]
-
-
-def count_left(levels: Mapping[str, int]) -> int:
-    """Return how many checks are missed that a change of the drive may answer."""
-    return sum(name not in DATA_CHECKS for name in levels)
-
-
-def score_of(outcome: Outcome) -> Score:
-    """Return how much an outcome leaves.
-
-    What is not checked because of gross slip, or of a creep that is too large dry, counts too.
-    """
-    names = [name for name in outcome.levels if name not in DATA_CHECKS]
-    ranks = [outcome.levels[name] for name in names]
-    slips = "operating_point" in names or outcome.levels.get("gross_slip", 0) >= FAILS
-    count = len(names)
-    if slips and "creep" not in names:
-        count += 1
-    if (slips or "creep" in names) and "wet_creep" not in names:
-        count += 1
-    return Score(count, max(ranks, default=0))
-
-
-def is_allowed(outcome: Outcome, now: Outcome) -> bool:
-    """Return whether no check is missed that passed, and none is at a worse level."""
-    if not outcome.possible:
-        return False
-    for name, rank in outcome.levels.items():
-        if name in now.passed or rank > now.levels.get(name, inf):
-            return False
-    return True
 
 
 def find_ways(

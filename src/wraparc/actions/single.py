@@ -6,7 +6,8 @@ from dataclasses import replace
 from math import isfinite
 
 from wraparc.actions.document import Source
-from wraparc.actions.search import Evaluate, is_allowed, score_of
+from wraparc.actions.score import is_allowed, score_of
+from wraparc.actions.search import Evaluate
 from wraparc.actions.variant import IMPOSSIBLE, Outcome, Variant
 from wraparc.arc import Distributed
 from wraparc.checks.check import Level, Verdict

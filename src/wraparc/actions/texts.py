@@ -6,8 +6,9 @@ from collections.abc import Sequence
 from math import radians
 from typing import NamedTuple
 
-from wraparc.actions.search import MOST_WRAP, Candidate, Task, count_left
-from wraparc.actions.variant import WRAP, Variant
+from wraparc.actions.score import count_left
+from wraparc.actions.search import MOST_WRAP, Candidate
+from wraparc.actions.variant import WRAP, Task, Variant
 from wraparc.units import Cell, quantity
 from wraparc.units.cell import Form
 

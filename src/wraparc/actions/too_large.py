@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from math import inf
 
-from wraparc.actions.search import MOST_WRAP, Candidate, Evaluate, Score, Task, is_allowed, score_of
-from wraparc.actions.variant import WRAP, Outcome, Variant, at_rung, rung_above
+from wraparc.actions.score import Score, is_allowed, score_of
+from wraparc.actions.search import MOST_WRAP, Candidate, Evaluate
+from wraparc.actions.variant import WRAP, Outcome, Task, Variant, at_rung, rung_above
 
 #: Most percent that are told.
 MOST = 900

@@ -83,6 +83,51 @@ class Outcome(NamedTuple):
 IMPOSSIBLE = Outcome(False, {})
 
 
+class Task(NamedTuple):
+    """What the search begins with.
+
+    Attributes
+    ----------
+    now
+        Outcome of the drive as it is.
+    first, kinds
+        What may be changed: for the governing check, and for any that is missed.
+    tension, lowest, highest
+        At the take-up: as it is, and within what it is tried [N].
+    wrap
+        Wrap angle of the only pulley, 0 where it is not to be changed [deg].
+    laggings
+        Names of the catalogue that are tried.
+    rating, strength, diameter, spacing
+        As they are; 0 where they are not known [N/m, N/m, m, m].
+    points
+        Tensions that are tried between the ends; 0 for those alone that the checks state.
+    wrap_step
+        Between the wraps that are tried first [deg].
+    splits
+        Values that are tried at once between one that leaves more and one that leaves as little.
+    within
+        Rounded tensions within which the nearest one is found.
+    """
+
+    now: Outcome
+    first: tuple[str, ...]
+    kinds: tuple[str, ...]
+    tension: float
+    lowest: float
+    highest: float
+    wrap: float
+    laggings: tuple[str, ...]
+    rating: float
+    strength: float
+    diameter: float
+    spacing: float
+    points: int
+    wrap_step: int
+    splits: int
+    within: int
+
+
 def rung_above(value: float) -> int:
     """Return the place of the least number of three digits that is not below a value."""
     power = floor(log10(value)) - 2

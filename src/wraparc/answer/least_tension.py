@@ -5,8 +5,8 @@ from typing import Any
 
 from wraparc.answer.sheet import NONE, Row, Table, named, quantity
 from wraparc.arc import ArcResult, DriveResult
+from wraparc.arc.sliding import SLIDES
 from wraparc.checks import RULES, LeastTension, least_tension, margins_of
-from wraparc.checks.sliding import SLIDES
 from wraparc.train import TrainResult
 from wraparc.units import RESULT_DIGITS, Cell, in_units
 

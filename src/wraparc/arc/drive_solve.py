@@ -74,7 +74,7 @@ class DriveResult(Viewable):
             if result.status is Status.UNSOLVED:
                 return 2.0, 0.0
             if result.status is Status.BREAKAWAY:
-                margin = result.capacities.gross_slip_margin
+                margin = result.capacities.extrapolated_gross_slip_margin
                 return 1.0, -margin if math.isfinite(margin) else 0.0
             return 0.0, result.share_of_limit
 

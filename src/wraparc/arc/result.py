@@ -12,11 +12,14 @@ from typing import Any
 import numpy as np
 
 from wraparc.arc.answer import operating_point
+from wraparc.arc.grip import sliding
 from wraparc.arc.interval import creep_interval
 from wraparc.arc.quantities import SOLVED
+from wraparc.arc.sliding import NOT_CARRIED
 from wraparc.arc.summary import spring_rate
 from wraparc.arc.wrap_arc import WrapArc
 from wraparc.arrays import Array
+from wraparc.drive.pull import idles
 from wraparc.views import Viewable
 
 nan = math.nan
@@ -113,8 +116,9 @@ class Capacities:
         tested range [N]; nan where `least_exit_tension` exists.
     tested_slip_capacity, tested_slip_margin
         Ratio at which the exit slip is the largest tested [-]; nan without a tested range.
-    gross_slip_capacity, gross_slip_margin
-        Ratio at gross slip, an extrapolation [-].
+    gross_slip_capacity, extrapolated_gross_slip_margin
+        Ratio at gross slip by the law alone, an extrapolation beyond its tests: no safety factor;
+        that is `ArcResult.gross_slip_safety` [-].
     gross_slip_creep
         Exit creep there [m]; inf if no finite creep attains it.
     """
@@ -127,7 +131,7 @@ class Capacities:
     tested_slip_capacity: float = nan
     tested_slip_margin: float = nan
     gross_slip_capacity: float = nan
-    gross_slip_margin: float = nan
+    extrapolated_gross_slip_margin: float = nan
     gross_slip_creep: float = nan
 
 
@@ -291,6 +295,21 @@ class ArcResult(Viewable):
             return math.copysign(math.inf, arc.side)
         return found.met.course.creep[-1]
 
+    @cached_property
+    def gross_slip_safety(self) -> float:
+        """Pull at which the belt slides over the pull, growing as the take-up lets it [-].
+
+        The number of the check "Safety against gross slip": the belt slides at a creep of 63.5 mm,
+        at the end of the tested slip or where all friction is used up, whichever comes first. inf
+        of a pulley that pulls nothing; less than 1 in gross slip; nan where it is not found.
+        """
+        if self.status is Status.UNSOLVED:
+            return nan
+        if idles(self.arc.entry_tension, self.arc.exit_tension):
+            return math.inf
+        place = sliding(self).place
+        return place if self.status.solved else min(place, NOT_CARRIED)
+
     @property
     def sticks(self) -> bool:
         """Whether the belt is at rest on part of the arc; 1e-9 rad of it is rounding."""
@@ -321,6 +340,7 @@ class ArcResult(Viewable):
         named["tension_ratio"] = self.tension_ratio
         named["effective_tension"] = self.effective_tension
         named["k_factor"] = self.k_factor
+        named["gross_slip_safety"] = self.gross_slip_safety
         named["exit_creep_low"], named["exit_creep_high"] = self.creep_interval
         for part in (self.capacities, self.energy):
             named.update({f.name: getattr(part, f.name) for f in fields(part)})

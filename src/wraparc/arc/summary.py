@@ -261,7 +261,7 @@ class CapacityNumbers(NamedTuple):
     tested_slip_capacity: float
     tested_slip_margin: float
     gross_slip_capacity: float
-    gross_slip_margin: float
+    extrapolated_gross_slip_margin: float
     gross_slip_creep: float
 
 
@@ -281,7 +281,7 @@ def capacity_numbers(arc: Description, carried: Carried) -> CapacityNumbers:
         tested_slip_capacity=slip,
         tested_slip_margin=slip / actual,
         gross_slip_capacity=gross,
-        gross_slip_margin=gross / actual,
+        extrapolated_gross_slip_margin=gross / actual,
         gross_slip_creep=carried.gross_creep,
     )
 

@@ -25,6 +25,7 @@ from wraparc.drive.pitch import (
     pitch_radius,
     whole_thickness,
 )
+from wraparc.drive.pull import ALONE, Growth, growth_in
 from wraparc.errors import InputError, Problem
 from wraparc.friction import COVER_SHEAR, LAGGING_SHEAR, FrictionLaw
 
@@ -107,6 +108,9 @@ class WrapArc:
         m v^2, the part of the tension that presses on no pulley [N].
     fit
         Statistics of the law, or None: for the interval of the creep alone.
+    growth
+        How its tensions grow over its pull, as the pull of the drive grows and the take-up holds:
+        for the safety against gross slip alone.
     pulley, load_case
         Names, for reports.
     """
@@ -133,6 +137,7 @@ class WrapArc:
     belt_thickness: float | None = None
     centrifugal: float = 0.0
     fit: Fit | None = None
+    growth: Growth = ALONE
     pulley: str = ""
     load_case: str = ""
 
@@ -229,6 +234,7 @@ class WrapArc:
             creep_limit=drive.creep_limit_of(pulley),
             belt_speed=drive.belt.speed,
             fit=lagging.fit,
+            growth=growth_in(drive, case, pulley),
             load_case=case.name,
         )
 

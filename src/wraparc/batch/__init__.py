@@ -5,6 +5,8 @@ does not serve is left to the scalar solver, row by row.
 """
 
 from wraparc.batch.result import STATUSES, BatchResult
-from wraparc.batch.solve import Setting, solve_arcs, solve_batch
+from wraparc.batch.setting import Setting
+from wraparc.batch.sliding import slides_of
+from wraparc.batch.solve import solve_arcs, solve_batch
 
-__all__ = ["STATUSES", "BatchResult", "Setting", "solve_arcs", "solve_batch"]
+__all__ = ["STATUSES", "BatchResult", "Setting", "slides_of", "solve_arcs", "solve_batch"]

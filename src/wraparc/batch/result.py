@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -13,7 +13,9 @@ from wraparc.arc.quantities import BREAKAWAY, REFUSED, SOLVED, UNSOLVED
 from wraparc.arrays import Array, Flags
 from wraparc.batch import row
 from wraparc.batch.arcs import Arcs
+from wraparc.batch.setting import Setting
 from wraparc.errors import pandas
+from wraparc.glossary import RENAMED
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -39,7 +41,8 @@ class BatchResult(Mapping[str, Array]):
     Columns have the names that `wraparc.arc.ArcResult.scalars` uses and are worked out when they
     are asked for. ``status`` is 0 solved, 1 breakaway, 2 unsolved, 3 refused, see `STATUSES`. What
     describes the operating point is nan where the arc is not solved; capacities and margins are
-    there on a breakaway too.
+    there on a breakaway too. ``gross_slip_safety`` is the number of the check "Safety against gross
+    slip"; the arcs are solved again for it.
 
     Attributes
     ----------
@@ -47,20 +50,43 @@ class BatchResult(Mapping[str, Array]):
         What was solved.
     found
         Rows of results, in the order of `row`, shape (n, 23).
+    setting
+        How accurately they were solved.
+    friction_factor, slip_factor
+        Factors on the friction and the slips of the laws, shape (n,); None for 1 [-].
+    tight_rise, slack_rise
+        Growth of the tight and the slack side per growth of the pull, shape (n,) [N]; None where
+        the slack side is held, as by a gravity take-up behind one pulley.
+    known
+        What was worked out once, by name.
     """
 
     arcs: Arcs
     found: Array
+    setting: Setting = Setting.ENGINEERING
+    friction_factor: Array | None = None
+    slip_factor: Array | None = None
+    tight_rise: Array | None = None
+    slack_rise: Array | None = None
+    known: dict[str, Any] = field(default_factory=dict, init=False)
+
+    def growing(self, tight_rise: Array, slack_rise: Array) -> BatchResult:
+        """Return the same arcs with tensions that grow so with the pull [N]."""
+        if self.tight_rise is tight_rise and self.slack_rise is slack_rise:
+            return self
+        return replace(self, tight_rise=tight_rise, slack_rise=slack_rise)
 
     def __getitem__(self, name: str) -> Array:
-        column: Array = _COLUMNS[name](self)
+        if name in RENAMED:
+            raise KeyError(RENAMED[name])
+        column: Array = COLUMNS[name](self)
         return column
 
     def __iter__(self) -> Iterator[str]:
-        return iter(_COLUMNS)
+        return iter(COLUMNS)
 
     def __len__(self) -> int:
-        return len(_COLUMNS)
+        return len(COLUMNS)
 
     def __repr__(self) -> str:
         counts = np.bincount(self.found[:, row.OUTCOME].astype(int), minlength=len(STATUSES))
@@ -196,7 +222,7 @@ def _resultant(arcs: Arcs) -> tuple[Array, Array]:
     return leaving * np.sin(wrap), arcs.entry_tension - leaving * np.cos(wrap)
 
 
-_COLUMNS: dict[str, Callable[[BatchResult], Any]] = {
+COLUMNS: dict[str, Callable[[BatchResult], Any]] = {
     "status": lambda r: r.found[:, row.OUTCOME].astype(np.int8),
     "entry_tension": lambda r: r.arcs.entry_tension,
     "exit_tension": lambda r: r.arcs.exit_tension,
@@ -226,7 +252,7 @@ _COLUMNS: dict[str, Callable[[BatchResult], Any]] = {
     "tested_slip_capacity": _ratio(row.SLIP_CAPACITY),
     "tested_slip_margin": _margin(row.SLIP_CAPACITY),
     "gross_slip_capacity": _ratio(row.GROSS_CAPACITY),
-    "gross_slip_margin": _margin(row.GROSS_CAPACITY),
+    "extrapolated_gross_slip_margin": _margin(row.GROSS_CAPACITY),
     "gross_slip_creep": _place(row.GROSS_CREEP),
     "drum_torque": lambda r: 0.5 * r.arcs.diameter * _pull(r.arcs),
     "resultant_force": lambda r: np.hypot(*_resultant(r.arcs)),

@@ -12,8 +12,11 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from wraparc.arrays import Array, Integers
-from wraparc.batch import BatchResult, Setting, row, solve_arcs
+from wraparc.batch import row
 from wraparc.batch.arcs import Arcs
+from wraparc.batch.result import BatchResult
+from wraparc.batch.setting import Setting
+from wraparc.batch.solve import solve_arcs
 
 #: numbers that a kernel reads and that change: (power of f, power of s)
 GIVEN_POWERS = {
@@ -103,4 +106,4 @@ def solve_scaled(
     ).found
     for place, (of_f, of_s) in FOUND_POWERS.items():
         found[:, place] *= f**of_f * s**of_s
-    return BatchResult(arcs, found)
+    return BatchResult(arcs, found, setting=setting, friction_factor=f, slip_factor=s)

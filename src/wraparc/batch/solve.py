@@ -3,38 +3,30 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping, Sequence
+import warnings
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
-from enum import StrEnum
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from wraparc.arrays import Array
 from wraparc.batch import row
 from wraparc.batch.arcs import Arcs, arcs_of_table
 from wraparc.batch.result import BatchResult
 from wraparc.batch.rows import solve_rows
+from wraparc.batch.setting import Setting
 from wraparc.drive import Lagging
+from wraparc.drive.usual_sizes import OF_COLUMNS, OVER_WIDTH, USUAL_SIZES
 from wraparc.errors import InputError, Problem
+from wraparc.glossary import GLOSSARY
+from wraparc.units import display
 
 Progress = Callable[[int, int], object]
 
 #: rows of a chunk: enough to hide what its calls cost, few enough for threads to share the work
 CHUNK = 4096
-
-
-class Setting(StrEnum):
-    """How accurately a batch is solved."""
-
-    #: exit creep and shear within 1e-4 of the exact ones
-    ENGINEERING = "engineering"
-    #: within 1e-6
-    PRECISE = "precise"
-
-    @property
-    def accuracy(self) -> float:
-        """Largest relative error [-]."""
-        return 1e-4 if self is Setting.ENGINEERING else 1e-6
 
 
 def solve_batch(
@@ -73,14 +65,44 @@ def solve_batch(
     ------
     InputError
         With every unknown or missing column and, column by column, the values that cannot be.
+
+    Warns
+    -----
+    UserWarning
+        Once a column of sizes that no drive has: a wrap of 180 rad, kN for N.
     """
+    arcs = arcs_of_table(table, laggings)
+    for message in _implausible(table, arcs.belt_width):
+        warnings.warn(message, stacklevel=2)
     return solve_arcs(
-        arcs_of_table(table, laggings),
+        arcs,
         setting=setting,
         capacities=capacities,
         threads=threads,
         progress=progress,
     )
+
+
+def _implausible(table: Mapping[str, Any], width: Array) -> Iterator[str]:
+    """Yield a sentence for every column of sizes that no drive has."""
+    narrow, wide = USUAL_SIZES[OF_COLUMNS["belt_width"]]
+    width = np.where((width < narrow) | (width > wide), 1.0, width)  # told of itself
+    for name, place in OF_COLUMNS.items():
+        if name not in table:
+            continue
+        least, most = USUAL_SIZES[place]
+        scale = width if name in OVER_WIDTH else np.ones_like(width)
+        values = np.broadcast_to(np.asarray(table[name], dtype=float), width.shape)
+        over = values / scale
+        rows = np.flatnonzero((over < least) | ((over > most) & np.isfinite(over)))
+        if len(rows):
+            first, dimension = rows[0], GLOSSARY[name].dimension
+            value, ends = (
+                " to ".join(display(float(v * scale[first]), dimension) for v in some)
+                for some in ((values[first] / scale[first],), (least, most))
+            )
+            count = f"{len(rows)} of {len(width)} rows" if len(width) > 1 else "this row"
+            yield f"{name}: {value} in {count}, usual are {ends}. Give it in SI units."
 
 
 def solve_arcs(
@@ -124,7 +146,7 @@ def solve_arcs(
         found[which] = solve_rows(arcs.rows(which), wanted, setting.accuracy)[0]
 
     share_chunks(run, len(arcs), CHUNK, threads, progress)
-    return BatchResult(arcs, found)
+    return BatchResult(arcs, found, setting=setting)
 
 
 def share_chunks(

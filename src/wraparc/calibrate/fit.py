@@ -201,5 +201,5 @@ def _beyond(result: ArcResult) -> float:
 
     There is no state to compare then; this leads a search back to where there is one.
     """
-    margin = Distributed().solve(result.arc).capacities.gross_slip_margin
+    margin = Distributed().solve(result.arc).capacities.extrapolated_gross_slip_margin
     return _GROSS_SLIP * (1.0 - math.log(min(margin, 1.0)))

@@ -13,6 +13,7 @@ from wraparc.arrays import Array, Flags
 from wraparc.batch import Setting
 from wraparc.batch.arcs import Arcs
 from wraparc.batch.scaled import solve_scaled
+from wraparc.batch.sliding import LoadedRows, tight_at_sliding
 from wraparc.checks.least_tension import is_of_tension, least_by_interval, least_for_tested_slip
 from wraparc.checks.of_arc import (
     COVER_CREEP,
@@ -26,7 +27,6 @@ from wraparc.checks.of_rows import Held, idle_rows
 from wraparc.checks.of_wet import WET_CREEP
 from wraparc.checks.rule import Rule
 from wraparc.checks.rules import OF_PULLEY
-from wraparc.checks.sliding_rows import LoadedRows, tight_at_sliding
 from wraparc.drive import Lagging
 
 

@@ -11,16 +11,17 @@ from weakref import WeakKeyDictionary
 from wraparc.alike import largest, least
 from wraparc.arc import ArcResult, DriveResult, WrapArc
 from wraparc.arc.capacity import highest_tight
+from wraparc.arc.grip import lift
 from wraparc.arc.interval import laws_at_ends
+from wraparc.arc.sliding import with_friction
 from wraparc.checks.check import Level, Place
 from wraparc.checks.design_standard import asked
-from wraparc.checks.gross_slip import lift, rises
+from wraparc.checks.gross_slip import rises
 from wraparc.checks.least_numbers import Pull, least_for_creep, least_for_slip
 from wraparc.checks.of_arc import COVER_CREEP, CREEP_INTERVAL, design_slack
 from wraparc.checks.of_wet import WET_CREEP, estimate_factor
 from wraparc.checks.rule import Rule, Spot, idle
 from wraparc.checks.rules import OF_PULLEY, spot_of
-from wraparc.checks.sliding import with_friction
 from wraparc.conveyor import Conveyor
 from wraparc.drive import Drive, LoadCase
 from wraparc.train import TrainResult

@@ -7,15 +7,13 @@ moves.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import floor, inf, isfinite, isnan, nan, pi
+from math import floor, inf, isfinite, isnan, nan
 from typing import Generic, NamedTuple
 
 from wraparc.arc.quantities import Buffer
 from wraparc.arrays import Number
 from wraparc.drive.pitch import USUAL_OFFSET
 
-#: Pull over tension that counts as none [-].
-IDLE = 1e-6
 #: Pull against each other over the largest pull that counts as none [-].
 SMALL_PULL = 1e-3
 #: More than any margin.
@@ -29,40 +27,6 @@ AHEAD = 4.0 * BEHIND
 #: Part by which what a take-up holds may differ between load cases: belt mass on slopes, and what
 #: runs between take-up and drive [-].
 HELD = 0.1
-#: Tensions that the belt of a conveyor has, over its width: from a light belt that just does not
-#: sag to the strength of the strongest steel cord [N/m].
-USUAL_TENSION = (0.5e3, 1e7)
-#: Strength over rating; 6.7 of steel cord, 8 to 10 of fabric (DIN 22101, makers) [-].
-USUAL_STRENGTH = (4.0, 20.0)
-#: Sizes that conveyor drives have, least and most, in the order of `compared_sizes` [SI].
-USUAL_SIZES = (
-    (0.2, 4.0),  # width
-    (1e5, 1e9),  # modulus
-    (0.05, 15.0),  # speed
-    (0.15, 3.0),  # diameter
-    (10.0 * pi / 180.0, 270.0 * pi / 180.0),  # wrap angle of a pulley that does not pull
-    (120.0 * pi / 180.0, 270.0 * pi / 180.0),  # of one that does; with a snub pulley 240 deg
-    (0.5e-3, 61e-3),  # creep limit; ten customary ones, 63.5 mm, are sliding
-    (-2e-3, 2e-3),  # overrun; lagging that is compressed by it makes some 0.1 mm to 1 mm
-    (0.0, 60e-3),  # thickness of the lagging
-    (0.1e6, 50e6),  # its shear modulus
-    (0.1e6, 5e9),  # its compression modulus
-    (5e3, 2e6),  # rating of the belt
-    (10e3, 50e6),  # bond strength
-    (10e3, 50e6),  # fatigue limit
-    (50e3, 10e6),  # largest wrap pressure of the belt
-    (0.1, 3.0),  # its least pulley
-    USUAL_TENSION,  # tension that keeps the belt from sagging, over the width
-    USUAL_STRENGTH,
-    # modulus over rating; published are 69 to 119 of fabric, 480 of steel cord (Goodyear 2012)
-    (15.0, 1000.0),
-    # pressure at the rating; published are up to 1.05 MPa on the least pulley (ST7000, the same)
-    (0.0, 1.6e6),
-    USUAL_TENSION,  # entry tension over the width
-    USUAL_TENSION,  # exit tension
-    (250.0, 2e7),  # power of a pulley that pulls
-    (1.0, 130.0),  # mass of the belt over its width [kg/m2]
-)
 
 
 def same_shown(value: float, limit: float) -> bool:
@@ -117,11 +81,6 @@ def order_of(margin: float, missed: bool, binding: bool, advises: bool, leads: b
     if leads:
         return min(found, BEHIND) - AHEAD
     return max(found, -BEHIND) + 2.0 * BEHIND if missed and advises else found
-
-
-def idles(entry: float, leaving: float) -> bool:
-    """Whether an arc hands nothing over: its pulley is not driven."""
-    return abs(entry - leaving) <= IDLE * entry
 
 
 def usual(value: float, least: float, most: float) -> bool:
@@ -186,22 +145,6 @@ def compared_motor(
 def held_alike(least: float, most: float) -> bool:
     """Whether one take-up can hold both tensions."""
     return most - least <= HELD * most
-
-
-def rise_among(pulls: Sequence[float], index: int, fixed: bool, after: int) -> tuple[float, float]:
-    """Growth of the tight and of the slack side of one of several pulleys with the pull of all [N].
-
-    As `gross_slip.rises`; `after` is the pulley behind which the take-up stands, -1 for none.
-    """
-    total, mine = sum(pulls), pulls[index]
-    ahead = sum(pulls[:index])
-    behind = sum(pulls[index + 1 :])
-    lost = 0.5 * abs(total) if fixed else 0.0
-    if not fixed and after >= 0:
-        lost = sum(pulls[after + 1 :]) if total >= 0.0 else -sum(pulls[: after + 1])
-    entry = (mine + behind if total >= 0.0 else -ahead) - lost
-    leaving = (behind if total >= 0.0 else -ahead - mine) - lost
-    return (entry, leaving) if mine >= 0.0 else (leaving, entry)
 
 
 def pull_against(pulls: Sequence[float]) -> float:

@@ -10,17 +10,18 @@ import numpy as np
 
 from wraparc.alike import largest
 from wraparc.arc import ArcResult, Status
+from wraparc.arc.grip import sliding
 from wraparc.arc.result import MORE_FRICTION
+from wraparc.arc.sliding import CREEP, MOST, NOT_CARRIED, SLIDES, TESTED, Sliding
 from wraparc.arrays import Number
 from wraparc.checks.check import Check, Level, Place, escaped
 from wraparc.checks.design_standard import asked
-from wraparc.checks.gross_slip import rises, sliding
-from wraparc.checks.numbers import asked_slack, balance_miss, idles, steepest
+from wraparc.checks.numbers import asked_slack, balance_miss, steepest
 from wraparc.checks.of_drive import MORE_CREEP, tests_of
 from wraparc.checks.rule import At, Rule, Spot, State, Words, idle, not_checked, origin
-from wraparc.checks.sliding import CREEP, MOST, NOT_CARRIED, SLIDES, TESTED, Sliding
 from wraparc.drive import CREEP_LIMIT, Criteria, Drive, LoadCase, TakeUp
 from wraparc.drive.pitch import turns_an_hour
+from wraparc.drive.pull import idles
 from wraparc.units import Dimension
 
 #: Largest miss of the energy balance that a solution is trusted with [-]; the usual mesh misses by
@@ -53,7 +54,7 @@ def no_state(result: ArcResult) -> str:
 def grip(drive: Drive, case: LoadCase, arcs: Sequence[ArcResult], index: int) -> Check:
     """Check whether an arc carries its load, and with which factor in hand."""
     result = arcs[index]
-    take_up, name = drive.criteria.take_up, GROSS_SLIP.name
+    name = GROSS_SLIP.name
     place = Place(result.arc.pulley, case.name)
     title = GRIP.format(case.kind)
     if result.status is Status.UNSOLVED:
@@ -65,8 +66,7 @@ def grip(drive: Drive, case: LoadCase, arcs: Sequence[ArcResult], index: int) ->
         return Check(
             name=name, title="No pull to carry", level=Level.OK, short="not driven", place=place
         )
-    rise = rises([r.arc for r in arcs], index, take_up)
-    return of_sliding(drive, case, result, sliding(result, rise))
+    return of_sliding(drive, case, result, sliding(result))
 
 
 def of_sliding(drive: Drive, case: LoadCase, result: ArcResult, found: Sliding) -> Check:

@@ -11,15 +11,15 @@ from wraparc.checks.check import Check, Level, Place, escaped
 from wraparc.checks.numbers import (
     COVERS_APART,
     LEAST_SHIFT,
-    USUAL_STRENGTH,
     held_alike,
-    idles,
     same_shown,
     trim_shift,
 )
 from wraparc.checks.rule import At, Rule, Spot, State, Words, origin
 from wraparc.drive import Belt, Drive, LoadCase, Pulley
 from wraparc.drive.pitch import pitch_offset
+from wraparc.drive.pull import idles
+from wraparc.drive.usual_sizes import USUAL_STRENGTH
 
 #: Part by which tensions of neighbouring pulleys may differ: rounding of what was typed [-].
 MEETS = 0.02

@@ -11,15 +11,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from wraparc.arc.quantities import BREAKAWAY, REFUSED, SOLVED, UNSOLVED
+from wraparc.arc.sliding import TESTED
 from wraparc.arc.wrap_arc import of_belt
 from wraparc.arrays import Array, Codes, Flags, Integers
 from wraparc.batch import BatchResult, Setting
 from wraparc.batch.arcs import Arcs
 from wraparc.batch.scaled import solve_scaled
+from wraparc.batch.sliding import slides_of, wet_creeps
 from wraparc.checks.check import ADVICE, Level, ahead, behind, keeps, margin_to
 from wraparc.checks.design_standard import wrap_factors
-from wraparc.checks.gross_slip import given_up, rises_of
-from wraparc.checks.numbers import IDLE, NUMBERLESS, USUAL_SIZES, Sizes, compared_sizes
+from wraparc.checks.numbers import NUMBERLESS, Sizes, compared_sizes
 from wraparc.checks.of_arc import (
     COVER_CREEP,
     DESIGN_STANDARD,
@@ -33,13 +34,13 @@ from wraparc.checks.of_train import OF_MOTORS
 from wraparc.checks.of_wet import WET_CREEP, estimate_factor
 from wraparc.checks.rule import At, Rule, State
 from wraparc.checks.rules import ACROSS_CHECKS, RULES
-from wraparc.checks.sliding import CREEP, NOT_CARRIED, TESTED
-from wraparc.checks.sliding_rows import LoadedRows, pulls_at_sliding, wet_creeps
 from wraparc.checks.usual import USUAL_RULE, least_margin, sizes_of
 from wraparc.drive import Drive
 from wraparc.drive.belt_mass import masses_at
 from wraparc.drive.changes import WORN
 from wraparc.drive.conditions import SCALED
+from wraparc.drive.pull import IDLE, given_up, rises_of
+from wraparc.drive.usual_sizes import USUAL_SIZES
 
 #: Words of a verdict by its code; a row that is no drive at all is not checked.
 LEVELS = tuple(Level)
@@ -428,7 +429,7 @@ def row_checks(
     flags = {CONDITION: held.scaled, FIT: held.misfit, BELT_THICKNESS: held.open_trim}
     for rule in rules:
         if rule is GROSS_SLIP:
-            yield _gross_slip(solved, held, factors, setting)
+            yield _gross_slip(solved, held)
         elif rule is DESIGN_STANDARD:
             standard = np.where(idle, none, held.standard)
             yield _compared(rule, held, state.slack, standard)
@@ -533,24 +534,12 @@ def _ranks(value: Array, limit: Array, missed: Array, *, at_most: bool) -> tuple
     return np.where(compared, ranks, 0), np.where(compared, margins, math.inf)
 
 
-def _gross_slip(
-    solved: BatchResult, held: Held, factors: tuple[Array, Array], setting: Setting
-) -> RowCheck:
+def _gross_slip(solved: BatchResult, held: Held) -> RowCheck:
     """Return the safety against gross slip."""
     arcs, status, limit = solved.arcs, solved["status"], held.safety
-    gone, idle, fault = (
-        status == BREAKAWAY,
-        idle_rows(arcs.entry_tension, arcs.exit_tension) & (status == SOLVED),
-        status == UNSOLVED,
-    )
-    factor, cause = np.full(len(arcs), math.inf), np.full(len(arcs), CREEP, dtype=np.int8)
-    which = np.flatnonzero(~(idle | fault) & (status != REFUSED))
-    friction, slip = factors
-    of = LoadedRows.of(arcs, friction_factor=friction, slip_factor=slip, setting=setting)
-    of = replace(of, peaks=of.peaks & ~np.isposinf(solved["gross_slip_creep"]))
-    rises = held.tight_rise[which], held.slack_rise[which]
-    factor[which], cause[which] = pulls_at_sliding(of.rows(which), rises)
-    factor = np.where(gone, np.minimum(factor, NOT_CARRIED), factor)
+    gone, fault = status == BREAKAWAY, status == UNSOLVED
+    idle = idle_rows(arcs.entry_tension, arcs.exit_tension) & (status == SOLVED)
+    factor, cause = slides_of(solved.growing(held.tight_rise, held.slack_rise))
     missed = np.full(len(factor), GROSS_SLIP.missed.rank)
     missed[(factor < GROSS_SLIP.fails_beyond) & (cause != TESTED)] = Level.FAILS.rank
     ranks, margins = _ranks(factor, limit, missed, at_most=False)

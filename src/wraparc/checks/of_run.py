@@ -14,6 +14,7 @@ from weakref import WeakKeyDictionary
 import numpy as np
 
 from wraparc.arc.result import MORE_FRICTION
+from wraparc.arc.sliding import SLIDES
 from wraparc.checks import of_data, of_drive, of_wet
 from wraparc.checks.check import Check, Level, Place, Verdict
 from wraparc.checks.judge import diameters, sound
@@ -22,7 +23,6 @@ from wraparc.checks.of_arc import EXIT_CREEP, GROSS_SLIP
 from wraparc.checks.of_train import MOTOR_HEAT, motor_load
 from wraparc.checks.rule import Spot, Words, not_checked, origin
 from wraparc.checks.rules import OF_PULLEY, spot_of
-from wraparc.checks.sliding import SLIDES
 from wraparc.checks.usual import Ends, Owner, owners_of, unusual, usual_sizes
 from wraparc.conveyor import GRAVITY
 from wraparc.drive import Drive, LoadCase, Pulley, Tensions

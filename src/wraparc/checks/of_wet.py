@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
+from wraparc.arc.grip import wet
 from wraparc.checks.check import Check, escaped, keeps
-from wraparc.checks.gross_slip import wet
 from wraparc.checks.rule import At, Rule, Spot, Words, idle, not_checked
 from wraparc.drive import Drive, Lagging, LoadCase
 from wraparc.drive.conditions import DRY, Condition

@@ -13,8 +13,8 @@ from typing import Generic, Literal, Protocol
 from wraparc.arc import ArcResult, WrapArc
 from wraparc.arrays import Number
 from wraparc.checks.check import Check, Level, Miss, Place, escaped, keeps
-from wraparc.checks.numbers import idles
 from wraparc.drive import Drive, LoadCase, Pulley
+from wraparc.drive.pull import idles
 from wraparc.provenance import Provenance
 from wraparc.units import Dimension
 

@@ -1,6 +1,6 @@
 """Sizes that conveyors and their drives have: what is far from them is asked about.
 
-`USUAL_SIZES` of `numbers` are those that every arc compares, on the page too; here stand those of
+`USUAL_SIZES` are those that every arc compares, on the page too; here stand those of
 all that is described besides, by class and field.
 """
 
@@ -16,11 +16,9 @@ from wraparc.checks.check import NOWHERE, Check, Level, Place, escaped
 from wraparc.checks.numbers import (
     LARGE_MOTORS,
     USUAL_MOTORS,
-    USUAL_SIZES,
     Sizes,
     compared_motor,
     compared_sizes,
-    idles,
     usual,
 )
 from wraparc.checks.rule import Rule
@@ -34,6 +32,8 @@ from wraparc.conveyor import (
 )
 from wraparc.drive import Drive, Lagging, LoadCase, Pulley
 from wraparc.drive.pitch import pitch_offset
+from wraparc.drive.pull import idles
+from wraparc.drive.usual_sizes import USUAL_SIZES
 from wraparc.train import Motor, Motors, Speeds, Train
 from wraparc.train.motors import VariableSpeed
 from wraparc.units import Dimension, meant_by

@@ -22,6 +22,7 @@ from wraparc.errors import InputError, nearest
 from wraparc.files.drive_file import overridden
 from wraparc.files.drive_keys import DRIVE, TENSIONS
 from wraparc.files.lagging_file import is_path, load_lagging
+from wraparc.glossary import RENAMED
 from wraparc.provenance import Provenance
 from wraparc.schema.origins import own_provenance
 from wraparc.schema.overrides import Overrides, load, read_document
@@ -263,7 +264,8 @@ def _outputs(
     known = output_names()
     for name in names:
         if name not in known:
-            remedy = nearest(name, known) or f"There are {', '.join(known)}."
+            remedy = RENAMED.get(name) or nearest(name, known)
+            remedy = remedy or f"There are {', '.join(known)}."
             report.add(("outputs",), "no such result", remedy, name)
     return names
 

@@ -9,20 +9,23 @@ import numpy as np
 
 from wraparc.arrays import Array, Flags
 from wraparc.checks.numbers import kept
-from wraparc.checks.of_arc import EXIT_CREEP, OF_LAGGING
+from wraparc.checks.of_arc import EXIT_CREEP, GROSS_SLIP, OF_LAGGING
 from wraparc.checks.of_drive import BELT_TENSION, MOMENTARY_TENSION
 from wraparc.checks.of_rows import kept_rows
 from wraparc.checks.rule import Rule
 
-#: Results whose limit is a number of the row, an upper one on their size, in the column
+#: Results whose limit is a number of the row, most an upper one on their size, in the column
 #: `limit_column`, and the checks that it is of.
 LIMITED: dict[str, tuple[Rule, ...]] = {
     "exit_creep": (EXIT_CREEP,),
     "entry_tension": (BELT_TENSION, MOMENTARY_TENSION),
     **{rule.result: (rule,) for rule in reversed(OF_LAGGING)},
+    "gross_slip_safety": (GROSS_SLIP,),
 }
+#: Those of `LIMITED` whose limit is a lower one.
+LOWER = frozenset({"gross_slip_safety"})
 #: Results whose limit is the same for every row, a lower one.
-LEAST = {"creep_limit_margin": 1.0, "tested_slip_margin": 1.0, "gross_slip_margin": 1.0}
+LEAST = {"creep_limit_margin": 1.0, "tested_slip_margin": 1.0}
 _FEWEST, _MOST = 8, 30  # bars
 _TAIL = 1.5  # spans from 1 % to 99 % that are drawn beyond them
 
@@ -67,7 +70,10 @@ def limit_of(name: str, column: Array | None) -> Limit:
     if name in LEAST:
         return Limit(LEAST[name], LEAST[name], at_most=False)
     known = column[~np.isnan(column)] if column is not None else np.empty(0)
-    return Limit(float(known.min()), float(known.max())) if len(known) else Limit()
+    upper = name not in LOWER
+    if not len(known):
+        return Limit(at_most=upper)
+    return Limit(float(known.min()), float(known.max()), at_most=upper)
 
 
 def misses(name: str, values: Array, column: Array | None) -> Flags:
@@ -78,7 +84,7 @@ def misses(name: str, values: Array, column: Array | None) -> Flags:
     if column is None:
         return np.zeros(len(values), dtype=bool)
     there = ~np.isnan(values) & ~np.isnan(column)
-    return there & ~kept_rows(np.abs(values), column, at_most=True)
+    return there & ~kept_rows(np.abs(values), column, at_most=name not in LOWER)
 
 
 @dataclass(frozen=True)

@@ -16,7 +16,7 @@ from wraparc.arrays import Array, Codes, Flags, Integers
 from wraparc.batch import Setting
 from wraparc.batch.arcs import Arcs, present
 from wraparc.batch.scaled import solve_scaled
-from wraparc.checks.of_arc import NO_GRIP
+from wraparc.checks.of_arc import GROSS_SLIP, NO_GRIP
 from wraparc.checks.of_rows import LEVELS, NAMES, Held, kept_rows, worst_of_rows
 from wraparc.drive import GRAVITY, Drive
 from wraparc.drive.conditions import DRY
@@ -58,7 +58,7 @@ OUTPUTS = (
     "outside_tested_share",
     "creep_limit_margin",
     "tested_slip_margin",
-    "gross_slip_margin",
+    "gross_slip_safety",
     "least_exit_tension",
     "largest_effective_tension",
     "power_loss",
@@ -291,7 +291,10 @@ class Study:
             columns[name] = np.full(size, np.nan)
             columns[name][good] = solved[name]
         for name in self.limited:
-            limits = [rows.held.limit(rule) for rule in LIMITED[name]]
+            held = rows.held
+            limits = [
+                held.safety if rule is GROSS_SLIP else held.limit(rule) for rule in LIMITED[name]
+            ]
             columns[limit_column(name)] = np.where(rows.valid, np.fmin.reduce(limits), np.nan)
         _lose(columns, rows, self.outputs)
         return columns
@@ -322,8 +325,9 @@ class Study:
                 capacities=capacities,
                 progress=progress,
             )
-            factors = friction, rows.slip_factor[some]
-            judged = worst_of_rows(solved, rows.held.rows(some), factors, self.setting)
+            factors, held = (friction, rows.slip_factor[some]), rows.held.rows(some)
+            solved = solved.growing(held.tight_rise, held.slack_rise)
+            judged = worst_of_rows(solved, held, factors, self.setting)
             uneven = solve_rows(
                 rows.drives,
                 rows.which[some],

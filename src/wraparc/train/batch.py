@@ -15,6 +15,7 @@ from wraparc.batch.arcs import Arcs
 from wraparc.batch.scaled import solve_scaled
 from wraparc.batch.solve import share_chunks
 from wraparc.drive.pitch import centrifugal_of
+from wraparc.drive.pull import given_up, rises_of
 from wraparc.errors import InputError
 from wraparc.train.balance import Balanced, Equations, balance
 from wraparc.train.batch_result import (
@@ -243,7 +244,14 @@ def _result(rows: TrainRows, located: _Located, found: Array, setting: Setting) 
         exit_tension=arcs.exit_tension + lift,
         centrifugal_force=lift,
     )
-    drums = [BatchResult(arcs.rows(slice(i, None, count)), found[i::count]) for i in range(count)]
+    pulls = np.where(balanced[:, None], entries - exits, np.nan).T
+    lost = given_up(pulls, rows.names, rows.train.criteria.take_up)
+    drums = []
+    for i in range(count):
+        own = {key: rows.drums[key][:, i] for key in ("friction_factor", "slip_factor")}
+        tight, slack = rises_of(pulls, i, lost)
+        drum = BatchResult(arcs.rows(slice(i, None, count)), found[i::count], setting, **own)
+        drums.append(drum.growing(tight, slack))
     columns = drum_columns(rows, drums, speed, balanced)
     for i, motor in enumerate(rows.motors):
         if isinstance(motor, MotorRows):

@@ -10,6 +10,7 @@ from wraparc.arc import ArcResult, Distributed, Status, WrapArc
 from wraparc.drive import Pulley
 from wraparc.drive.load_case import exit_behind
 from wraparc.drive.pitch import centrifugal_of, pitch_offset
+from wraparc.drive.pull import ALONE, Growth, growth_among
 from wraparc.errors import BreakawayError, ConvergenceError, input_error
 from wraparc.train.locate import Located, away, locate
 from wraparc.train.member import Member, Passage
@@ -168,6 +169,7 @@ def arc_of(
     pulley: Pulley,
     tensions: tuple[float, float],
     belt_speed: float | None = None,
+    growth: Growth = ALONE,
 ) -> WrapArc:
     """Return the arc of a pulley of a train."""
     return WrapArc.on(
@@ -178,8 +180,17 @@ def arc_of(
         exit_tension=exit_behind(*tensions),
         creep_limit=train.creep_limit_of(pulley),
         belt_speed=belt_speed,
+        growth=growth,
         load_case=case.name,
     )
+
+
+def _growths(train: Train, pairs: Sequence[Pair]) -> list[Growth]:
+    """Return how the tensions of the pulleys grow with the pull of all."""
+    names, take_up = [p.name for p in train.pulleys], train.criteria.take_up
+    after = names.index(take_up.after) if take_up.after else -1
+    pulls = [entry - exit_behind(entry, leaving) for entry, leaving in pairs]
+    return [growth_among(pulls, i, take_up.fixed, after) for i in range(len(pulls))]
 
 
 def _lines(train: Train, case: TrainCase) -> tuple[tuple[Line, ...], float]:
@@ -217,9 +228,10 @@ def _reported(
         light = 1.0 + (pairs[0][0] - lift) / (stretch + lift)
         at_first = setup.reference * exp(-located.level) * light
     speeds = [at_first * (1.0 + a / stretch) / (1.0 + pairs[0][0] / stretch) for a, _ in pairs]
+    growths = _growths(train, pairs)
     arcs = [
-        method.solve(arc_of(train, case, p, pair, v if v == v else None))
-        for p, pair, v in zip(train.pulleys, pairs, speeds, strict=True)
+        method.solve(arc_of(train, case, p, pair, v if v == v else None, growth))
+        for p, pair, v, growth in zip(train.pulleys, pairs, speeds, growths, strict=True)
     ]
     for i in () if located is None else located.fallen:  # what slides has no state at rest
         if arcs[i].status is Status.SOLVED:

@@ -13,6 +13,14 @@ from wraparc.arc.answer import operating_point
 from wraparc.arc.capacity import CAPACITIES, find_capacities, highest_tight
 from wraparc.arc.gross_slip import Line
 from wraparc.arc.quantities import BREAKAWAY, SOLVED, Buffer, Load
+from wraparc.arc.sliding import (
+    Loaded,
+    at_limits,
+    lift_for_safety,
+    pull_at_sliding,
+    wet_creep,
+    with_friction,
+)
 from wraparc.arc.summary import (
     CapacityNumbers,
     Columns,
@@ -30,17 +38,8 @@ from wraparc.arc.summary import (
 )
 from wraparc.checks.least_numbers import Pull, least_for_creep, least_for_slip
 from wraparc.checks.numbers import (
-    idles,
     largest,
     steepest,
-)
-from wraparc.checks.sliding import (
-    Loaded,
-    at_limits,
-    lift_for_safety,
-    pull_at_sliding,
-    wet_creep,
-    with_friction,
 )
 from wraparc.drive.load_case import (
     LEAST_TENSION,
@@ -52,6 +51,7 @@ from wraparc.drive.load_case import (
     resultant,
 )
 from wraparc.drive.pitch import centrifugal_force
+from wraparc.drive.pull import idles
 from wraparc.friction import TestedRange
 from wraparc.friction.compact import CompactLaw
 

@@ -13,13 +13,14 @@ from dataclasses import dataclass, replace
 from typing import Any, cast
 
 from wraparc.arc import ArcResult, Capacities, DriveResult, Energy, Status, WrapArc
+from wraparc.arc.grip import Rise
+from wraparc.arc.sliding import Sliding
 from wraparc.checks.check import Check, Level, Verdict
-from wraparc.checks.gross_slip import Rise, rises
+from wraparc.checks.gross_slip import rises
 from wraparc.checks.of_arc import INTERVAL
 from wraparc.checks.of_data import WEAK_KINDS, law_words, weak_sources
 from wraparc.checks.of_wet import estimate_factor
 from wraparc.checks.rule import At, Spot, idle
-from wraparc.checks.sliding import Sliding
 from wraparc.drive import Drive
 from wraparc.train import Train, TrainCase
 from wraparc.train.result import drive_with
@@ -195,7 +196,7 @@ def idle_in(drive: Drive) -> bool:
 # In the place of others.
 
 
-def sliding(result: FoundArc, _rise: Rise) -> Sliding:
+def sliding(result: FoundArc, _rise: Rise | None = None) -> Sliding:
     """Return where the belt slides, as the tensions of the arc rise with the pull."""
     return Sliding(result.found.place, result.found.cause)
 

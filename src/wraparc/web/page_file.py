@@ -15,8 +15,8 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from wraparc.checks.numbers import idles
 from wraparc.drive import Drive, Pulley
+from wraparc.drive.pull import idles
 from wraparc.errors import InputError, Problem
 from wraparc.schema.source import Document, parse
 from wraparc.train import Train

@@ -246,7 +246,7 @@ def with_friction(geometry: Geometry, factor: float) -> Geometry:
 def wet_creep(of: Loaded, factor: float) -> float:
     """Creep at the exit with a factor on the friction [m]; inf in gross slip, nan without a factor.
 
-    Of rows `wraparc.checks.sliding_rows.wet_creeps`.
+    Of rows `wraparc.batch.sliding.wet_creeps`.
     """
     if isnan(factor):
         return nan

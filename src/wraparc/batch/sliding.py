@@ -1,4 +1,4 @@
-"""The pull at which belts slide, for many arcs at once: the same numbers as `checks.sliding`."""
+"""The pull at which belts slide, for many arcs at once: the same numbers as `arc.sliding`."""
 
 from __future__ import annotations
 
@@ -11,15 +11,8 @@ import numpy as np
 from wraparc.arc.capacity import CREEP_LIMIT as BY_CREEP
 from wraparc.arc.capacity import GROSS_SLIP as BY_LAW
 from wraparc.arc.capacity import TESTED_SLIP as BY_SLIP
-from wraparc.arrays import Array, Codes, Flags, Integers
-from wraparc.batch import Setting, row
-from wraparc.batch.arcs import Arcs, present
-from wraparc.batch.gross_slip import ratio_at_gross_slip
-from wraparc.batch.rows import AtLimit, OnLine, carried_on, may_peak, solve_rows
-from wraparc.batch.scaled import Unscaled, solve_scaled
-from wraparc.batch.solve import CHUNK
-from wraparc.batch.traction import Laws
-from wraparc.checks.sliding import (
+from wraparc.arc.quantities import BREAKAWAY, SOLVED
+from wraparc.arc.sliding import (
     ALIKE,
     CREEP,
     DIFFERENCE,
@@ -27,10 +20,22 @@ from wraparc.checks.sliding import (
     FARTHEST,
     LEAST_CARRIED,
     MOST,
+    NOT_CARRIED,
     ROUNDS,
     SLIDES,
     TESTED,
 )
+from wraparc.arrays import Array, Codes, Flags, Integers
+from wraparc.batch import row
+from wraparc.batch.arcs import Arcs, present
+from wraparc.batch.gross_slip import ratio_at_gross_slip
+from wraparc.batch.result import COLUMNS, BatchResult
+from wraparc.batch.rows import AtLimit, OnLine, carried_on, may_peak, solve_rows
+from wraparc.batch.scaled import Unscaled, solve_scaled
+from wraparc.batch.setting import Setting
+from wraparc.batch.solve import CHUNK
+from wraparc.batch.traction import Laws
+from wraparc.drive.pull import IDLE
 
 #: Last step over the place, over the accuracy of the arcs.
 _NEAR = 10.0  # the last step of a secant leaves its square
@@ -38,7 +43,7 @@ _NEAR = 10.0  # the last step of a secant leaves its square
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class LoadedRows:
-    """Arcs that are asked when their belts slide, see `checks.sliding.Loaded`.
+    """Arcs that are asked when their belts slide, see `arc.sliding.Loaded`.
 
     Attributes
     ----------
@@ -129,7 +134,7 @@ class LoadedRows:
     def at_limits(self, on: OnLine) -> list[tuple[int, Integers, AtLimit]]:
         """Return what ends the grip of laws that do not fall, the rows of it, and the arcs there.
 
-        See `checks.sliding`; every row has at least one of them.
+        See `arc.sliding`; every row has at least one of them.
         """
         given = self._unscaled()
         tight = np.maximum(self.arcs.entry_tension, self.arcs.exit_tension)
@@ -189,10 +194,48 @@ class _Lines:
         )
 
 
+def slides_of(solved: BatchResult) -> tuple[Array, Codes]:
+    """Return the safety against gross slip of solved arcs and what comes first, (n,) each.
+
+    As `wraparc.arc.ArcResult.gross_slip_safety`: inf of a pulley that pulls nothing, less than 1 in
+    gross slip, nan where the arc is not solved or the place is not found.
+    """
+    if "slides" not in solved.known:
+        solved.known["slides"] = _slides_of(solved)
+    factor, cause = solved.known["slides"]
+    return factor, cause
+
+
+#: Asked of the arcs anew, which a column of results cannot do.
+COLUMNS["gross_slip_safety"] = lambda solved: slides_of(solved)[0]
+
+
+def _slides_of(solved: BatchResult) -> tuple[Array, Codes]:
+    """Work out `slides_of`."""
+    arcs, status, n = solved.arcs, solved["status"], len(solved.arcs)
+    one, entry, leaving = np.ones(n), arcs.entry_tension, arcs.exit_tension
+    idle = (np.abs(entry - leaving) <= IDLE * entry) & (status == SOLVED)
+    factor, cause = np.full(n, np.nan), np.full(n, CREEP, dtype=np.int8)
+    factor[idle] = np.inf
+    friction, slip = (
+        one if of is None else of for of in (solved.friction_factor, solved.slip_factor)
+    )
+    of = LoadedRows.of(arcs, friction_factor=friction, slip_factor=slip, setting=solved.setting)
+    of = replace(of, peaks=of.peaks & ~np.isposinf(solved["gross_slip_creep"]))
+    tight = np.abs(entry - leaving) if solved.tight_rise is None else solved.tight_rise
+    slack = np.zeros(n) if solved.slack_rise is None else solved.slack_rise
+    answered = ((status == SOLVED) | (status == BREAKAWAY)) & ~np.isnan(tight + slack)
+    which = np.flatnonzero(answered & ~idle)
+    factor[which], cause[which] = pulls_at_sliding(of.rows(which), (tight[which], slack[which]))
+    gone = answered & (status == BREAKAWAY)
+    factor[gone] = np.minimum(factor[gone], NOT_CARRIED)
+    return factor, cause
+
+
 def pulls_at_sliding(of: LoadedRows, rises: tuple[Array, Array]) -> tuple[Array, Codes]:
     """Pull at which each belt slides over its pull [-], and what comes first there, (n,) each.
 
-    As `checks.sliding.pull_at_sliding`; inf where it never slides, nan where that is not found.
+    As `arc.sliding.pull_at_sliding`; inf where it never slides, nan where that is not found.
     """
     arcs = of.arcs
     tight = np.maximum(arcs.entry_tension, arcs.exit_tension)
@@ -211,7 +254,7 @@ def pulls_at_sliding(of: LoadedRows, rises: tuple[Array, Array]) -> tuple[Array,
 
 
 def _first_places(of: LoadedRows, lines: _Lines) -> tuple[Array, Codes]:
-    """`checks.sliding.pull_at_sliding` by one solution a limit; nan where one is not met so."""
+    """`arc.sliding.pull_at_sliding` by one solution a limit; nan where one is not met so."""
     n = len(lines.tight)
     near = 1.0 - max(ALIKE, of.setting.accuracy)
     place, cause = np.full(n, np.inf), np.full(n, CREEP, dtype=np.int8)
@@ -229,7 +272,7 @@ def _first_places(of: LoadedRows, lines: _Lines) -> tuple[Array, Codes]:
 def tight_at_sliding(of: LoadedRows, pull: Array) -> Array:
     """Least tension above m v^2 of each tight side that slides no belt of a pull [N], (n,).
 
-    As `checks.sliding.tight_at_sliding`.
+    As `arc.sliding.tight_at_sliding`.
     """
     one, needed, missed = np.ones(len(pull)), np.zeros(len(pull)), of.peaks.copy()
     for _, which, met in of.at_limits(OnLine(one, -one, pull)):
@@ -248,7 +291,7 @@ def tight_at_sliding(of: LoadedRows, pull: Array) -> Array:
 def _places(
     of: LoadedRows, lines: _Lines, way: float, low: Array, start: Array
 ) -> tuple[Array, Codes]:
-    """`checks.sliding.slide_place` of every row, all rows a step at a time."""
+    """`arc.sliding.slide_place` of every row, all rows a step at a time."""
     n = len(start)
     near = _NEAR * of.setting.accuracy
     falls = lines.slack_rise < 0.0
