@@ -477,6 +477,14 @@ def test_a_preset_is_overridden_key_by_key() -> None:
     stiff = inline('{ preset = "full-ceramic", compression_modulus = "30 MPa" }')
     assert stiff.compression_modulus == 30e6
     assert stiff.source_of("compression_modulus").note == "instead of that of full-ceramic"
+    # its blocks shear on, 4/5 of the area of rubber of 2.3 MPa
+    assert stiff.shear_modulus == pytest.approx(0.8 * 2.3e6)
+    assert stiff.source_of("shear_modulus").kind is Kind.PUBLISHED
+    assert "contact fraction 0.8" in stiff.source_of("shear_modulus").note
+    both = inline(
+        '{ preset = "full-ceramic", shear_modulus = "2 MPa", compression_modulus = "30 MPa" }'
+    )
+    assert both.shear_modulus == pytest.approx(0.8 * 2e6)
 
 
 def test_another_law_for_a_preset() -> None:

@@ -76,6 +76,10 @@ AXES = [
     [quantity(8, 20, "mm", "lagging.worn.thickness")],
     [quantity(1, 3, "MPa", "lagging.worn.shear_modulus")],
     [quantity(5, 30, "MPa", "pulley.first.lagging.compression_modulus")],
+    [
+        quantity(1, 3, "MPa", "pulley.first.lagging.shear_modulus"),
+        quantity(5, 30, "MPa", "pulley.first.lagging.compression_modulus"),
+    ],
     [quantity(10, 60, "kg/m", "belt.mass"), quantity(2, 6, "m/s", "belt.speed")],
     [
         {"field": "pulley.first.lagging", "values": ["worn", "full-ceramic", "medium-ceramic"]},

@@ -31,6 +31,12 @@ _SAME = tuple(
     for part in fields(Lagging)
     if part.name in _KEYS and part.name not in (*_TABLES, *_MEASURED)
 )
+#: What a shear modulus over the gross area was estimated from, and what blocks add to it.
+SHEAR_OF_RUBBER = {
+    "elastic_modulus": "G = E/3, incompressible rubber",
+    "shear_modulus": "G of the rubber",
+}
+OF_BLOCKS = ", over the gross area times the contact fraction {:g}"
 _ELASTIC = ("elastic_modulus", "shear_modulus", "compression_modulus", "block")
 
 
@@ -165,15 +171,12 @@ def _estimated(
 
     moduli: dict[str, Any] = {}
     contact = record["block"].get("contact_fraction", 1.0) if "block" in record else 1.0
-    of_blocks = f"contact fraction {contact:g}"
-    if "shear_modulus" not in record:
-        moduli["shear_modulus"] = contact * record["elastic_modulus"] / 3.0
-        text = "G = E/3, incompressible rubber"
-        text += f", over the gross area times the {of_blocks}" if contact < 1.0 else ""
-        note("shear_modulus", "elastic_modulus", text)
-    elif contact < 1.0:
-        moduli["shear_modulus"] = contact * record["shear_modulus"]
-        note("shear_modulus", "shear_modulus", f"G of the rubber times the {of_blocks}")
+    of_blocks = OF_BLOCKS.format(contact) if contact < 1.0 else ""
+    key = "shear_modulus" if "shear_modulus" in record else "elastic_modulus"
+    if key == "elastic_modulus" or of_blocks:
+        rubber = record[key] / (1.0 if key == "shear_modulus" else 3.0)
+        moduli["shear_modulus"] = contact * rubber
+        note("shear_modulus", key, SHEAR_OF_RUBBER[key] + of_blocks)
     if "compression_modulus" not in record:
         basis = "elastic_modulus" if "elastic_modulus" in record else "shear_modulus"
         young = record[basis] * (1.0 if basis == "elastic_modulus" else 3.0)
