@@ -55,7 +55,7 @@ def follow_all(count: int) -> int:
         wrong, ways = wrong + len(told.wrong), ways + told.ways
         for text in told.wrong:
             print(f"{name}: {text}", flush=True)
-        words = len(in_units(action.text).split()) if action else 0
+        words = len(action.text.split()) if action else 0  # a number with its unit is one
         if words > 20:
             print(f"{name}: {words} words: {in_units(action.text) if action else ''}", flush=True)
             wrong += 1

@@ -1,125 +1,331 @@
-"""Speed ratios of a real belt: how often 95 % intervals hold the friction that made them.
+"""Records of measured drives: how often 95 % intervals hold the truth that made the records.
 
     python benchmarks/calibrate_speeds.py 200
 
-Simulates records of a drive whose belt thickness, tensions, wheel of the tachometer, compression
-and shear of the lagging and shear of the belt cover are wrong within their stated errors,
-calibrates friction to each, and tells how many intervals hold the truth: with a zero record of the
-idling belt, and without one, where the offset of the tension member is known to its stated error
-alone.
+The records are not this program's: the slow twin of the tests integrates each drive, and its
+gauges read torque by moments and speeds by the mass of belt that passes (tests/arc/gauges.py). The
+drive that the twin integrates differs from the drive file by one standard deviation of everything
+that [errors] states; the readings have noise. Each record is written as a calibrate file, read and
+calibrated. Kinds of records and drives take turns; with a second number the first seed is that.
 """
 
+from __future__ import annotations
+
 import sys
+import tempfile
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from wraparc.calibrate.calibration import Calibration, Number, Problemset, calibrate
-from wraparc.calibrate.problem import OPEN_ZERO, arc_of, calibrated_drive, speed_ratio, usual_method
+from wraparc.arc import WrapArc
+from wraparc.calibrate.calibration import Calibration, Problemset, Trace, calibrate
+from wraparc.calibrate.file import measured_from_document
 from wraparc.drive import Drive, Tensions
+from wraparc.drive.belt import Side
 from wraparc.drive.changes import with_pulley
-from wraparc.drive.pitch import pitch_offset
 from wraparc.train.file import load_drive
 
-EXAMPLE = Path(__file__).parents[1] / "examples" / "head-drive-fabric.toml"
-#: Standard deviations as they are stated: of the offset [m], of the others as shares.
-OFFSET, WHEEL = 0.5e-3, 1e-3
+if __name__ == "__main__":
+    sys.path[0] = str(Path(__file__).parents[1] / "tests")  # its `arc`, not the benchmark of it
+if TYPE_CHECKING:
+    from arc.gauges import Gauges
+
+EXAMPLES = Path(__file__).parents[1] / "examples"
+LAYERS: dict[str, Any] = {"pulley_cover": 4e-3, "carry_cover": 8e-3, "carcass": 8.6e-3}
+#: Standard deviations as they are stated, shares of the value; of lengths in m.
 STATED = {
-    "exit_tension": 0.02, "effective_tension": 0.03,
     "compression": 0.2, "lagging_shear": 0.1, "cover_shear": 0.2,
+    "belt_speed": 1e-3, "diameter": 0.4e-3, "pitch_offset": 0.5e-3,
 }  # fmt: skip
-#: Of a reading of the speed ratio, averaged over minutes [-].
-READING = 5e-5
-FRICTION = 0.85
-IDLING = Tensions(entry=63e3, exit=60e3)
-CASES = ("design", "empty")
+TENSIONS = {
+    "torque": {"exit_tension": 0.02, "effective_tension": 0.03},
+    "cells": {"entry_tension": 0.015, "exit_tension": 0.015},
+}
+#: Of a ratio of speeds averaged over minutes [-], of a creep by chalk marks [m], of an angle and of
+#: samples along the arc over the largest of them [-].
+READING, CHALK, ANGLE, SAMPLE = 5e-5, 0.1e-3, 0.01, 0.02
+POINTS = 45
+#: Spread of the truth about the drive file, of the logarithm [-].
+FRICTION, MODULUS = 0.1, 0.1
+
+
+@dataclass(frozen=True, kw_only=True)
+class Kind:
+    """A kind of record: what is read, and how tensions and the zero of the speeds are known."""
+
+    title: str
+    reads: tuple[str, ...]
+    zero: str = ""
+    tensions: str = "torque"
+    parameters: tuple[str, ...] = ("friction",)
+
+
+KINDS = (
+    Kind(title="behind the drive, zero record", reads=("exit_creep_ratio",), zero="exit"),
+    Kind(title="behind the drive, radii as stated", reads=("exit_creep_ratio",)),
+    Kind(title="before the drive, zero record", reads=("entry_creep_ratio",), zero="entry"),
+    Kind(title="before the drive, radii as stated", reads=("entry_creep_ratio",)),
+    Kind(
+        title="before and behind, zero record behind, load cells",
+        reads=("entry_creep_ratio", "exit_creep_ratio"), zero="exit", tensions="cells",
+    ),
+    Kind(title="creep by chalk marks", reads=("exit_creep",)),
+    Kind(title="creep and shear angle, load cells", reads=("exit_creep", "peak_shear_angle"),
+         tensions="cells"),
+    Kind(title="courses of creep and shear angle", reads=("courses",),
+         parameters=("friction", "belt_modulus")),
+)  # fmt: skip
+
+
+@dataclass(frozen=True, kw_only=True)
+class Station:
+    """A drive that is measured at two loads, and idling."""
+
+    title: str
+    example: str
+    cases: tuple[str, str]
+    idling: Tensions
+    side: Side = "pulley"
+
+
+STATIONS = (
+    Station(title="fabric, driving", example="head-drive-fabric", cases=("design", "empty"),
+            idling=Tensions(entry=63e3, exit=60e3)),
+    Station(title="fabric, braking", example="downhill-braking", cases=("design", "empty"),
+            idling=Tensions(entry=40e3, exit=41e3)),
+    Station(title="fabric, carry side of an S-wrap", example="head-drive-fabric", side="carry",
+            cases=("design", "empty"), idling=Tensions(entry=63e3, exit=60e3)),
+    Station(title="steel cord, driving", example="steel-cord-drive", cases=("design", "start"),
+            idling=Tensions(entry=135e3, exit=130e3)),
+)  # fmt: skip
 
 
 @dataclass(frozen=True, eq=False)
-class Simulated:
-    """Calibrations of simulated records, and how many of their intervals hold the truth."""
+class Outcome:
+    """A calibration, and the truth by parameter: factors, and the modulus [N/m]."""
 
-    found: tuple[Calibration, ...]
-
-    @property
-    def told(self) -> list[tuple[float, float]]:
-        """Intervals of the records that tell the friction [-]."""
-        each = [c.estimates[0] for c in self.found]
-        return [(e.low, e.high) for e in each if e.low is not None and e.high is not None]
+    kind: Kind
+    station: Station
+    found: Calibration
+    truth: dict[str, float]
 
     @property
-    def coverage(self) -> float:
-        """Share of them that holds the truth [-]."""
-        held = [low <= FRICTION <= high for low, high in self.told]
-        return sum(held) / len(held) if held else float("nan")
+    def hits(self) -> list[bool]:
+        """Whether each interval that is told holds the truth."""
+        return [e.low <= self.truth[e.name] <= e.high for e in self.found.estimates
+                if e.low is not None and e.high is not None]  # fmt: skip
 
 
-def described() -> Drive:
-    """The drive as its file describes it: a belt of 20.6 mm, e = 8.3 mm, its cover in series."""
-    drive = load_drive(EXAMPLE)
-    pulley = drive.pulleys[0]
-    law = replace(pulley.lagging.law, slip_includes=())
-    drive = with_pulley(drive, replace(pulley, lagging=replace(pulley.lagging, law=law)))
-    return replace(drive, belt=replace(drive.belt, pulley_cover=4e-3, carry_cover=8e-3))
+def layered(name: str, side: Side) -> str:
+    """The file of an example with the layers of its belt: 20.6 mm, e = 8.3 mm."""
+    text = (EXAMPLES / f"{name}.toml").read_text("utf-8")
+    layers = "".join(f'{k} = "{1e3 * v:g} mm"\n' for k, v in LAYERS.items())
+    text = text.replace("[belt]\n", f"[belt]\n{layers}", 1)
+    return text.replace("[[pulley]]\n", f'[[pulley]]\nside = "{side}"\n', 1)
 
 
-def record(drive: Drive, rng: np.random.Generator) -> tuple[list[Number], Number]:
-    """Readings at two loads and of the idling belt, of a drive that is not as it is described."""
-    errors = {name: float(np.exp(sd * rng.standard_normal())) for name, sd in STATED.items()}
-    wheel = float(np.exp(WHEEL * rng.standard_normal()))
-    cover = drive.belt.pulley_cover or 0.0
-    belt = replace(drive.belt, pulley_cover=cover + OFFSET * rng.standard_normal())
-    true = calibrated_drive(replace(drive, belt=belt), "head", {"friction": FRICTION})
-
-    def reading(case: str, tensions: Tensions | None = None) -> Number:
-        arc = arc_of(true, "head", (case, tensions), errors)
-        g = float(usual_method().solve(arc).scalars()["exit_creep_ratio"])
-        value = speed_ratio(arc, g, wheel) + READING * rng.standard_normal()
-        return Number(
-            quantity="exit_creep_ratio", value=value, sd=READING, load_case=case,
-            apparent=True, tensions=tensions,
-        )  # fmt: skip
-
-    return [reading(case) for case in CASES], reading("design", IDLING)
+def described(name: str = "head-drive-fabric", side: Side = "pulley") -> Drive:
+    """An example with the layers of its belt, the cover in series with the lagging."""
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder) / "drive.toml"
+        file.write_text(layered(name, side), "utf-8")
+        drive = load_drive(file)
+    on = drive.pulleys[0]
+    lagging = replace(on.lagging, law=replace(on.lagging.law, slip_includes=()))
+    return with_pulley(drive, replace(on, lagging=lagging))
 
 
-def problem(drive: Drive, numbers: list[Number], zero: Number | None) -> Problemset:
-    """Return what a calibrate file with these readings and the stated errors asks."""
-    e = pitch_offset(drive.belt, "pulley")
-    assert e is not None
-    by_zero = float(np.hypot(WHEEL, OFFSET / (0.5 * drive.pulleys[0].diameter + e)))
-    known = OPEN_ZERO if zero is not None else by_zero
-    return Problemset(
-        drive=drive,
-        pulley="head",
-        parameters=("friction",),
-        numbers=tuple(n for n in (*numbers, zero) if n is not None),
-        zero=zero,
-        errors={"speed_zero": known, **STATED},
-    )
+class Truth:
+    """A drive as it is, off what its file says by what is stated."""
 
+    def __init__(
+        self, drive: Drive, kind: Kind, errors: dict[str, float], rng: np.random.Generator
+    ) -> None:
+        def off(sd: float) -> float:
+            return float(np.exp(sd * rng.standard_normal()))
 
-def simulated(count: int, *, zeroed: bool = True, first: int = 1) -> Simulated:
-    """Calibrate friction to simulated records, with a zero record or without one."""
-    found, drive = [], described()
-    for seed in range(first, first + count):
-        numbers, zero = record(drive, np.random.default_rng(seed))
-        found.append(calibrate(problem(drive, numbers, zero if zeroed else None)))
-    return Simulated(tuple(found))
-
-
-def main(count: int) -> None:
-    """Print the share of the intervals that hold the truth, and how wide they are."""
-    for title, zeroed in (("zero record", True), ("offset stated", False)):
-        ran = simulated(count, zeroed=zeroed)
-        widths = [0.5 * (high - low) / FRICTION for low, high in ran.told]
-        print(
-            f"{title}: {len(ran.told)} of {count} tell the friction, {100 * ran.coverage:.1f} % of "
-            f"their intervals hold the truth; half width {100 * np.median(widths):.1f} %",
-            flush=True,
+        self.drive, self.kind = drive, kind
+        self.friction, self.modulus = off(FRICTION), 1.0
+        if "belt_modulus" in kind.parameters:
+            self.modulus = off(MODULUS)
+        self.tensions = {k: off(errors[k]) for k in TENSIONS[kind.tensions]}
+        self.soft, self.shear, self.cover, self.wheel = (
+            off(errors[k]) for k in ("compression", "lagging_shear", "cover_shear", "belt_speed")
         )
+        self.diameter = errors["diameter"] * float(rng.standard_normal())
+        self.offset = errors["pitch_offset"] * float(rng.standard_normal())
+
+    @property
+    def values(self) -> dict[str, float]:
+        """What is to be found."""
+        return {"friction": self.friction, "belt_modulus": self.modulus * self.drive.belt.modulus}
+
+    def arc(self, case: str, tensions: Tensions | None = None) -> WrapArc:
+        """The arc as it is, at tensions that a load cell and a torque meter report otherwise."""
+        said = WrapArc.of(self.drive, self.drive.pulleys[0], self.drive.load_case(case))
+        if tensions is not None:
+            said = replace(said, entry_tension=tensions.entry, exit_tension=tensions.exit)
+        assert said.pitch_offset is not None
+        arc = replace(
+            said,
+            law=said.law.scaled(self.friction, 1.0),
+            axial_stiffness=said.axial_stiffness * self.modulus,
+            diameter=said.diameter + self.diameter,
+            pitch_offset=said.pitch_offset + self.offset,
+            compression_modulus=said.compression_modulus / self.soft,
+            shear_modulus=said.shear_modulus / self.shear,
+            cover_compliance=said.cover_compliance * self.cover,
+        )
+        return self._loaded(said, arc)
+
+    def _loaded(self, said: WrapArc, arc: WrapArc) -> WrapArc:
+        """The arc with its true tensions; pull by moments, the lagging compressed by T1."""
+        leaving = said.exit_tension * self.tensions["exit_tension"]
+        if self.kind.tensions == "cells":
+            entry = said.entry_tension * self.tensions["entry_tension"]
+            return replace(arc, entry_tension=entry, exit_tension=leaving)
+        torque = (said.entry_tension - said.exit_tension) * (0.5 * said.diameter + said.offset)
+        torque *= self.tensions["effective_tension"]
+        entry, radius = said.entry_tension, 0.5 * arc.diameter
+        for _ in range(20):
+            pressure = (entry - arc.centrifugal) / (arc.width * radius)
+            pressed = arc.thickness / arc.compression_modulus * pressure
+            entry = leaving + torque / (radius - pressed + arc.offset)
+        return replace(arc, entry_tension=entry, exit_tension=leaving)
+
+
+class Record:
+    """A calibrate file with what the gauges of the twin read."""
+
+    def __init__(self, station: Station, kind: Kind, seed: int, part: float = 1.0) -> None:
+        self.station, self.kind, self.rng = station, kind, np.random.default_rng(seed)
+        self.drive = described(station.example, station.side)
+        self.errors = {k: part * sd for k, sd in (STATED | TENSIONS[kind.tensions]).items()}
+        self.truth = Truth(self.drive, kind, self.errors, self.rng)
+        self.traces: list[Trace] = []
+
+    def problem(self) -> Problemset:
+        """Return what the calibrate file asks."""
+        cases = self.station.cases
+        numbers = [n for case in cases for n in self._readings(case)]
+        document: dict[str, Any] = {
+            "format": 1, "drive": "drive.toml", "parameters": list(self.kind.parameters),
+            "number": numbers, "errors": self._errors(),
+        }  # fmt: skip
+        if self.kind.zero:
+            document["zero"] = self._zero()
+        if self.traces:  # the columns of a record are no part of the file: put in below
+            document["parameters"] = []
+        with tempfile.TemporaryDirectory() as folder:
+            text = layered(self.station.example, self.station.side)
+            (Path(folder) / "drive.toml").write_text(text, "utf-8")
+            asked = measured_from_document(document, folder=folder).problem
+        return replace(asked, drive=self.drive, traces=tuple(self.traces),
+                       parameters=self.kind.parameters)  # fmt: skip
+
+    def _errors(self) -> dict[str, str]:
+        lengths = ("diameter", "pitch_offset")
+        return {
+            k: f"{1e3 * sd:g} mm" if k in lengths else f"{100.0 * sd:g} %"
+            for k, sd in self.errors.items()
+        }
+
+    def _speeds(self, read: Gauges, quantity: str) -> dict[str, str]:
+        """Drum and belt speed as the shaft, the stated diameter and the wheel tell them."""
+        speed = read.before if quantity.startswith("entry") else read.behind
+        noise = 1.0 + READING * float(self.rng.standard_normal())
+        drum = 0.5 * self.drive.pulleys[0].diameter  # at 1 rad/s
+        belt = speed * self.truth.wheel * noise
+        return {
+            "drum_speed": f"{10.0 * drum!r} m/s", "belt_speed": f"{10.0 * belt!r} m/s",
+            "sd": f"{100.0 * READING} %",
+        }  # fmt: skip
+
+    def _zero(self) -> dict[str, str]:
+        from arc.gauges import gauges
+
+        idling, nip = self.station.idling, self.kind.zero
+        read = gauges(self.truth.arc(self.station.cases[0], idling))
+        return {
+            "nip": nip, **self._speeds(read, nip),
+            "entry_tension": f"{idling.entry} N", "exit_tension": f"{idling.exit} N",
+        }  # fmt: skip
+
+    def _readings(self, case: str) -> Iterator[dict[str, str]]:
+        from arc.gauges import courses, gauges
+
+        arc = self.truth.arc(case)
+        for quantity in self.kind.reads:
+            about = {"quantity": quantity, "load_case": case}
+            if quantity.endswith("creep_ratio"):
+                yield {**about, **self._speeds(gauges(arc), quantity)}
+            elif quantity == "exit_creep":
+                value = gauges(arc).creep + CHALK * float(self.rng.standard_normal())
+                yield {**about, "value": f"{1e3 * value!r} mm", "sd": f"{1e3 * CHALK} mm"}
+            elif quantity == "peak_shear_angle":
+                peak = float(np.abs(courses(arc, 721).shear_angle).max())
+                value = peak * (1.0 + ANGLE * float(self.rng.standard_normal()))
+                yield {**about, "value": f"{value!r} rad", "sd": f"{ANGLE * peak!r} rad"}
+            else:
+                self._sample(arc, case)
+
+    def _sample(self, arc: WrapArc, case: str) -> None:
+        """Sensors in the shell, revolutions averaged."""
+        from arc.gauges import courses
+
+        read = courses(arc, POINTS)
+        for name, values in (("creep", read.creep), ("shear_angle", read.shear_angle)):
+            noise = SAMPLE * np.abs(values).max() * self.rng.standard_normal(POINTS)
+            self.traces.append(
+                Trace(quantity=name, position=read.position, value=values + noise, sd=None,
+                      load_case=case)
+            )  # fmt: skip
+
+
+def simulated(
+    count: int,
+    *,
+    first: int = 1,
+    kinds: tuple[Kind, ...] = KINDS,
+    part: float = 1.0,
+) -> Iterator[Outcome]:
+    """Calibrate to records of the twin, kinds and drives in turns, with a part of each error."""
+    for seed in range(first, first + count):
+        kind, station = kinds[seed % len(kinds)], STATIONS[seed // len(kinds) % len(STATIONS)]
+        record = Record(station, kind, seed, part)
+        yield Outcome(kind, station, calibrate(record.problem()), record.truth.values)
+
+
+def row(title: str, outcomes: list[Outcome]) -> str:
+    """Return a line of the table: how many tell, how many hold the truth, how wide they are."""
+    hits = [hit for o in outcomes for hit in o.hits]
+    told = [e for o in outcomes for e in o.found.estimates]
+    widths = [0.5 * (e.high - e.low) / e.value for e in told
+              if e.low is not None and e.high is not None and e.value]  # fmt: skip
+    share = f"{100.0 * np.mean(hits):.1f} %" if hits else "-"
+    half = f"{100.0 * np.median(widths):.1f} %" if widths else "-"
+    cells = (title, len(outcomes), f"{len(hits)} of {len(told)}", f"{sum(hits)} ({share})", half)
+    return f"| {' | '.join(map(str, cells))} |"
+
+
+def main(count: int, first: int) -> None:
+    """Print how many intervals hold the truth, by kind of record, by drive and in all."""
+    outcomes = []
+    for done, outcome in enumerate(simulated(count, first=first), start=1):
+        outcomes.append(outcome)
+        if done % 25 == 0:
+            print(row(f"after {done}", outcomes), file=sys.stderr, flush=True)
+    print("| records | calibrations | told | hold the truth | half an interval |")
+    print("|---|---|---|---|---|")
+    for kind in KINDS:
+        print(row(kind.title, [o for o in outcomes if o.kind is kind]))
+    for station in STATIONS:
+        print(row(station.title, [o for o in outcomes if o.station is station]))
+    print(row("all", outcomes))
 
 
 if __name__ == "__main__":
-    main(int(sys.argv[1]) if len(sys.argv) > 1 else 200)
+    main(*(int(text) for text in (sys.argv[1:] + ["200", "1"][len(sys.argv) - 1 :])))

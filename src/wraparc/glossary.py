@@ -306,7 +306,8 @@ QUANTITIES: tuple[Quantity, ...] = (
     ),
     Quantity(
         "exit_creep_ratio", "g2", "number", "Exit creep ratio",
-        "The same at the exit nip, g + (T1 - T2)/EA'.",
+        "The same at the exit nip, where the lagging has recovered, g + (T1 - T2)/EA'; a "
+        "tachometer behind the pulley shows the strain of the belt alone, without that recovery.",
     ),
     Quantity(
         "mean_friction", "mu_m", "number", "Mean friction",
@@ -373,7 +374,7 @@ QUANTITIES: tuple[Quantity, ...] = (
     Quantity(
         "extrapolated_gross_slip_margin", "", "number", "Margin to gross slip, extrapolated",
         "Capacity at gross slip over the actual ratio: by the law alone, beyond its tests, with "
-        "the tight side held. No safety factor.",
+        "the tight side held; no safety factor.",
     ),
     Quantity(
         "gross_slip_safety", "", "number", "Safety against gross slip",

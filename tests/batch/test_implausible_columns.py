@@ -4,11 +4,12 @@ import warnings
 
 import numpy as np
 import pytest
+from numpy.typing import ArrayLike
 
 from wraparc.batch import solve_batch
 from wraparc.files import load_lagging
 
-TABLE = {
+TABLE: dict[str, ArrayLike] = {
     "entry_tension": 160e3, "exit_tension": np.array([60e3, 70e3, 80e3]), "diameter": 0.8,
     "wrap_angle": np.pi, "belt_width": 1.2, "belt_modulus": 10e6,
 }  # fmt: skip
@@ -31,7 +32,9 @@ def test_a_table_in_si_units_warns_of_nothing() -> None:
         ("belt_width", 1200.0, "belt_width"),
     ],
 )
-def test_sizes_that_no_drive_has_warn_once_a_column(column: str, value: object, words: str) -> None:
+def test_sizes_that_no_drive_has_warn_once_a_column(
+    column: str, value: ArrayLike, words: str
+) -> None:
     with pytest.warns(UserWarning, match=words) as warned:
         solve_batch({**TABLE, column: value}, PLAIN)
     assert len([w for w in warned if str(w.message).startswith(f"{column}:")]) == 1

@@ -273,9 +273,9 @@ def test_the_slow_part_of_a_judgement_is_found_once_for_all_tables(
 
         monkeypatch.setattr(sys.modules[module], name, once_more)
 
-    counted("wraparc.checks.gross_slip", "pull_at_sliding")
-    counted("wraparc.checks.gross_slip", "at_limits")
-    counted("wraparc.checks.gross_slip", "lift_for_safety")
+    counted("wraparc.arc.grip", "pull_at_sliding")
+    counted("wraparc.arc.grip", "at_limits")
+    counted("wraparc.arc.grip", "lift_for_safety")
     drive = _cases(10)
     for i, case in enumerate(drive["load_case"]):
         case["pulley"] = {"head": {"entry_tension": f"{90 + i} kN"}}

@@ -14,6 +14,7 @@ from playwright.sync_api import Error, Route, expect
 from cli.running import wraparc
 from web.browser import PAGES, READY, STEPS, STUDY, TABS, Calculator, Visitor, turn
 from web.calculators import TOKEN, document, wait_for
+from wraparc.checks.check import SAID
 from wraparc.schema.emit import document_text
 from wraparc.train.keys import TRAIN_FILE
 from wraparc.units import RESULT_DIGITS, display, on_safe_side
@@ -513,7 +514,7 @@ def test_checks_follow_the_slider_without_the_server(visitor: Visitor, tmp_path:
         rows = page.locator("#drive .t-checks tbody tr")
         judged = [c for c in verdict["checks"] if c["level"] != "NOT CHECKED"]
         titles = [row.partition("\t")[0] for row in rows.all_inner_texts()]
-        assert titles == [c["title"] for c in judged if c["name"] not in ("data", "sense")]
+        assert titles == [c["title"] for c in judged if c["name"] not in SAID]
     page.unroute_all(behavior="ignoreErrors")
     assert levels == {"OK", "ATTENTION", "FAILS"}
 
@@ -549,7 +550,7 @@ def test_choices_are_answered_without_the_server(visitor: Visitor, tmp_path: Pat
         rows = page.locator("#drive .t-checks tbody tr")
         judged = [c for c in verdict["checks"] if c["level"] != "NOT CHECKED"]
         titles = [row.partition("\t")[0] for row in rows.all_inner_texts()]
-        assert titles == [c["title"] for c in judged if c["name"] not in ("data", "sense")]
+        assert titles == [c["title"] for c in judged if c["name"] not in SAID]
     page.unroute_all(behavior="ignoreErrors")
 
 

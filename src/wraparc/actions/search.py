@@ -239,6 +239,7 @@ class _Search:
         task, before = self.task, self.task.tension
         if task.splits < 2:
             return []
+        self.outcomes([v for variant in variants for v in self._completed([variant], kinds)])
         for variant in variants:
             if self._least([variant], kinds) is None:
                 ratio, rung = variant.tension / before, rung_above if up else rung_below

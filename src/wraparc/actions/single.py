@@ -19,7 +19,7 @@ from wraparc.train import Train
 from wraparc.train.whole import Described, Whole, by_pulley, solved
 
 #: Variants that are solved one by one where rows do not know all that is checked, and at once.
-MOST_SINGLE, MOST_AT_ONCE = 12, 4
+MOST_SINGLE, MOST_AT_ONCE = 6, 2
 
 
 class SingleEvaluator:

@@ -1,7 +1,7 @@
 """Field numbers in a sheet: speeds, alarm and trip, wear and life."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 from wraparc.answer.checks_table import verdict_document
@@ -37,7 +37,6 @@ def field_sheet(
         Row(
             f"Healthy, {name}",
             tuple(percent(v) for v in (*pair, *(found.shown[name] if found.shown else ()))),
-            "g, g2",
         )
         for name, pair in found.healthy.items()
     ]
@@ -46,8 +45,9 @@ def field_sheet(
         "Drum speed less belt speed, over drum speed",
         tuple(rows),
         ("belt at entry", "belt at exit", *by_shaft),
-        "drum speed: of the lagging surface under the belt, which runs on the radius less its "
-        "compression"
+        "drum speed: of the lagging surface where the belt meets it, on the radius less its "
+        "compression; behind the drum the belt runs as its strain does, v2/v1 = (1 + T2/EA)/"
+        "(1 + T1/EA)"
         + (
             "; shaft to belt: 1 - v/(omega R), what a tachometer pair shows, as the belt runs on "
             "the radius of its tension member"
@@ -164,18 +164,18 @@ def _rules(found: FieldNumbers, worst: float) -> Iterator[str]:
 
 
 def _levels(found: FieldNumbers) -> Table:
-    def row(title: str, share: float, symbol: str = "", note: str = "") -> Row:
+    def row(title: str, share: float, note: str = "") -> Row:
         shown = (percent(found.seen(share, worn)) for worn in (0.0, found.depth))
-        return Row(title, tuple(shown), symbol, note)
+        return Row(title, tuple(shown), note=note)
 
     healthy = (found.worst_seen, found.worn_seen(found.depth))
     rows = [Row("Healthy, at most", tuple(percent(v) for v in healthy))]
     limits = found.limits if found.shown else {}
     for name, (ratio, seen) in limits.items():
         worn = seen + (1.0 - found.side * ratio) * found.depth * found.drift
-        rows.append(Row(f"At the creep limit, {name}", (percent(seen), percent(worn)), "g2"))
+        rows.append(Row(f"At the creep limit, {name}", (percent(seen), percent(worn))))
     if found.at_limit is not None and not limits:
-        rows.append(row("At the creep limit", found.at_limit, "g2"))
+        rows.append(row("At the creep limit", found.at_limit))
     rows.append(row("Alarm", found.alarm, note="at the creep limit"))
     rows.append(row("Trip", found.trip, note="twice the alarm, or gross slip"))
     if found.at_breakaway is not None:
@@ -224,25 +224,25 @@ def _remarks(found: FieldNumbers) -> Iterator[str]:
         yield "No creep marks gross slip: what carries most is approached as creep grows."
 
 
+def _pairs(differences: Mapping[str, tuple[float, float]]) -> dict[str, dict[str, float]]:
+    """Return differences before the drum and behind it by load case [-]."""
+    return {name: {"entry": a, "exit": b} for name, (a, b) in differences.items()}
+
+
 def field_document(found: FieldNumbers | None, judged: Judgement) -> dict[str, Any]:
     """Return verdict and numbers as plain data [SI] for JSON."""
-    told = {"format": 1, "verdict": verdict_document(judged)}
+    told = {"format": 2, "verdict": verdict_document(judged)}
     if found is None:
         return told
     return {
         **told,
-        "healthy": {
-            name: {"entry_creep_ratio": a, "exit_creep_ratio": b}
-            for name, (a, b) in found.healthy.items()
-        },
+        "healthy": _pairs(found.healthy),
         "at_creep_limit": found.at_limit,
         "at_gross_slip": found.at_breakaway,
         "alarm": found.alarm,
         "trip": found.trip,
         "shown": {
-            "healthy": {
-                name: {"entry": a, "exit": b} for name, (a, b) in (found.shown or {}).items()
-            },
+            "healthy": _pairs(found.shown),
             "alarm": found.seen(found.alarm, 0.0),
             "trip": found.seen(found.trip, 0.0),
         }

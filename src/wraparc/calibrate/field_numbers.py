@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
 from wraparc.arc import ArcResult, Distributed
-from wraparc.calibrate.problem import speed_ratio
+from wraparc.calibrate.problem import strain_of, tachometer_ratio
 from wraparc.drive.load_case import hours_problems
 from wraparc.drive.pitch import turns_an_hour
 from wraparc.errors import InputError, Problem, input_error
@@ -53,11 +53,11 @@ class FieldNumbers:
     Attributes
     ----------
     healthy
-        Entry and exit creep ratio by load case: drum less belt speed over drum speed, at the
-        nips [-].
+        Drum less belt speed over drum speed by load case, of the belt before the drum and behind
+        it [-], see `speed_differences`.
     at_limit
-        Exit creep ratio at the creep limit in the load case that gets there first, of those that
-        pull as the one that creeps most; None if none gets there [-].
+        Size of the difference behind the drum at the creep limit in the load case that gets there
+        first, of those that pull as the one that creeps most; None if none gets there [-].
     at_breakaway
         Creep at gross slip over the length of the wrap, None if no finite creep attains it [-].
     alarm, trip
@@ -82,8 +82,8 @@ class FieldNumbers:
         What a tachometer pair shows of `healthy`, 1 - v/(omega R) by load case [-]; None where the
         thickness of the belt is not known.
     limits
-        Exit creep ratio at the creep limit by load case, its size and as it is seen [-]: the
-        compression of the lagging shifts what a tachometer pair shows by the tension.
+        Difference behind the drum at the creep limit by load case, its size and as it is seen [-]:
+        the compression of the lagging shifts what a tachometer pair shows by the tension.
     covered
         `worst_seen` with the cover of the belt in series, inf or -inf where the belt slips through;
         None where the law says whether its slip includes that shear [-].
@@ -199,11 +199,11 @@ def field_numbers(
 ) -> FieldNumbers:
     """Return what to expect of a drive in the field.
 
-    The healthy difference of drum and belt speed lies between the entry and the exit creep ratio
-    of the worst load case, depending on the nip the belt is measured at. The **alarm** is set at
-    the exit creep ratio at the creep limit, and where that is not found at the healthy one with a
-    quarter more; the **trip** at gross slip or twice the alarm, whichever is less. The factors are
-    this program's choice. All are ratios to the lagging surface; `FieldNumbers.seen` gives what a
+    The healthy difference of drum and belt speed is that of the worst load case, before the drum or
+    behind it, see `speed_differences`. The **alarm** is set at the difference behind the drum at
+    the creep limit, and where that is not found at the healthy one with a quarter more; the
+    **trip** at gross slip or twice the alarm, whichever is less. The factors are this program's
+    choice. All are ratios to the lagging surface at the entry nip; `FieldNumbers.seen` gives what a
     tachometer pair shows of them.
 
     Parameters
@@ -225,11 +225,11 @@ def field_numbers(
         If a load case breaks away, or hours are given without a belt speed.
     """
     _check(results, hours)
-    healthy = {n: (r.entry_creep_ratio, r.exit_creep_ratio) for n, r in results.items()}
+    healthy = {n: speed_differences(r) for n, r in results.items()}
     worst = max(max(abs(a), abs(b)) for a, b in healthy.values())
     side = max(results.values(), key=lambda r: abs(r.exit_creep_ratio)).arc.side
     limit = min((r for r in limits.values() if r.arc.side == side), key=_nearest, default=None)
-    at_limit = None if limit is None else abs(limit.exit_creep_ratio)
+    at_limit = None if limit is None else abs(speed_differences(limit)[1])
     told = limit or max(results.values(), key=lambda r: abs(r.exit_creep_ratio))
     gross = [
         r.capacities.gross_slip_creep / r.arc.length
@@ -265,21 +265,30 @@ def field_numbers(
         shown=None
         if told.arc.pitch_offset is None
         else {name: _seen(r) for name, r in results.items()},
-        limits={n: (abs(r.exit_creep_ratio), _seen(r)[1]) for n, r in limits.items()},
+        limits={n: (abs(speed_differences(r)[1]), _seen(r)[1]) for n, r in limits.items()},
         covered=_covered(results, side),
     )
 
 
+def speed_differences(result: ArcResult) -> tuple[float, float]:
+    """Return drum less belt speed over drum speed, of the belt before the drum and behind it [-].
+
+    g, and 1 - (1 - g)(1 + T2/EA)/(1 + T1/EA): the drum speed is that of the lagging surface where
+    the belt meets it, and behind the drum the belt follows its strain alone.
+    """
+    g = result.entry_creep_ratio
+    return g, 1.0 - (1.0 - g) * strain_of(result.arc)
+
+
 def _seen(result: ArcResult) -> tuple[float, float]:
-    """Entry and exit ratio as a tachometer pair shows them; at the surface without thickness."""
-    pair = result.entry_creep_ratio, result.exit_creep_ratio
+    """Both differences as a tachometer pair shows them; to the surface without thickness [-]."""
     if result.arc.pitch_offset is None:
-        return pair
-    return speed_ratio(result.arc, pair[0]), speed_ratio(result.arc, pair[1])
+        return speed_differences(result)
+    return tachometer_ratio(result, "entry"), tachometer_ratio(result, "exit")
 
 
 def _nearest(result: ArcResult) -> float:
-    """Exit ratio as it is seen, driving positive [-]."""
+    """Difference behind the drum as it is seen, driving positive [-]."""
     return result.arc.side * _seen(result)[1]
 
 

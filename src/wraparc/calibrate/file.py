@@ -16,7 +16,7 @@ from wraparc.calibrate.calibration import (
     Trace,
 )
 from wraparc.calibrate.fold import Folded, fold
-from wraparc.calibrate.problem import ERRORS, OPEN_ZERO, arc_of, usual_method
+from wraparc.calibrate.problem import ERRORS, OPEN_ZERO, arc_of, offset_by, usual_method
 from wraparc.calibrate.record import ROLES, RecordChoices, read_record
 from wraparc.drive import Drive, Lagging, Limit, Tensions
 from wraparc.drive.belt import MOST_THICKNESS
@@ -361,11 +361,9 @@ def _check_zero(
 ) -> None:
     """Report a zero record that no belt shows: its tension member below the lagging's surface."""
     arc = arc_of(drive, pulley, zero.state, {})
-    pull = (arc.entry_tension - arc.exit_tension) * arc.compliance
-    # at little load the creep ratio lies between those of a belt that sticks at one nip
-    creep = (min(0.0, pull), max(0.0, pull))
-    radii = [(1.0 - zero.value) * arc.radius / (1.0 - g) + arc.compression for g in creep]
-    low, high = (r - arc.radius for r in radii)
+    # at little load the surface runs as fast as the belt at one of the nips, or between
+    ratios = (0.0, (arc.exit_tension - arc.entry_tension) * arc.compliance)
+    low, high = sorted(offset_by(arc, g, zero) for g in ratios)
     room = 3.0 * sd * arc.radius
     if high < -room or low > MOST_THICKNESS + room:
         report.add(

@@ -18,7 +18,8 @@ from wraparc.calibrate.problem import (
     Trace,
     arc_of,
     calibrated_drive,
-    speed_ratio,
+    offset_by,
+    tachometer_ratio,
     value_of,
     variable_of,
 )
@@ -83,7 +84,7 @@ class Fit:
             result, far = results[n.state], beyond[n.state]
             value = float(result.scalars()[n.quantity])
             if n.apparent:
-                value = speed_ratio(result.arc, value, zero)
+                value = tachometer_ratio(result, n.nip, zero)
             numbers.append(n.value + far * max(abs(n.value), n.sd) if far else value)
         traces = []
         for t in p.traces:
@@ -104,16 +105,14 @@ class Fit:
     def offset(self, x: Array) -> float | None:
         """Offset e that the zero record shows with drum and wheel as stated [m], None without one.
 
-        (1 - shown) R = (R - delta + e)(1 - g), corrected for the compression and the creep there.
+        Corrected for the creep, the compression and the strain there, see `speed_over_shaft`.
         """
         zero = self.problem.zero
         if zero is None:
             return None
         self.model(x)
         result = self._known[x[self._arcs_of].tobytes()][zero.state]
-        g = float(result.scalars()[zero.quantity])
-        arc = result.arc
-        return (1.0 - zero.value) * arc.radius / (1.0 - g) - arc.radius + arc.compression
+        return offset_by(result.arc, result.entry_creep_ratio, zero)
 
     def data_residuals(self, x: Array, scales: Sequence[float]) -> Array:
         """Misfits over their standard deviations."""

@@ -5,15 +5,18 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from typing import Literal
 
-from wraparc.arc import Distributed, Method, WrapArc
+from wraparc.arc import ArcResult, Distributed, Method, WrapArc
 from wraparc.arrays import Array
 from wraparc.drive import Drive, Tensions
 from wraparc.drive.changes import with_pulley
+from wraparc.drive.pitch import belt_to_shaft, strain_ratio
 from wraparc.errors import input_error
 
 #: A load case, and tensions where they are not those of the load case.
 State = tuple[str, Tensions | None]
+Nip = Literal["entry", "exit"]
 
 #: what can be calibrated, and how: factors and moduli by their logarithm, the overrun as it is
 PARAMETERS = ("friction", "peak_slip", "shear_modulus", "overrun", "belt_modulus")
@@ -69,8 +72,8 @@ class Number:
     load_case
         In which load case.
     apparent
-        Whether the value compares the belt with the shaft of the drum, 1 - v/(omega R); a creep
-        ratio compares it with the surface.
+        Whether the value compares the belt with the shaft of the drum, 1 - v/(omega R), see
+        `tachometer_ratio`; a creep ratio compares it with the surface under it.
     tensions
         T1 and T2 of a record of its own, such as the zero record; those of the load case if None.
     """
@@ -86,6 +89,11 @@ class Number:
     def state(self) -> State:
         """In which load case and at which tensions it was measured."""
         return self.load_case, self.tensions
+
+    @property
+    def nip(self) -> Nip:
+        """The nip of a creep ratio: a tachometer before the drum or behind it."""
+        return "entry" if self.quantity == "entry_creep_ratio" else "exit"
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -257,22 +265,60 @@ def arc_of(
     )
 
 
-def speed_ratio(arc: WrapArc, creep_ratio: float, zero: float = 1.0) -> float:
-    """Return what a tachometer pair shows, 1 - v/(omega R) [-].
+def speed_over_shaft(arc: WrapArc, creep_ratio: float, nip: Nip) -> float:
+    """Return the speed of the belt over that of the drum's shaft, v/(omega R) [-].
 
-    v = omega (R - delta + e)(1 - g): belt and shaft are compared at the radius over the unloaded
-    lagging, where the belt runs at the pitch radius.
+    (R - delta + e)(1 - g)/R before the drum, and behind it (1 + T2/EA)/(1 + T1/EA) times that, with
+    the compression delta at the entry: behind the drum a belt follows its strain alone. Shaft and
+    belt are compared at the radius over the unloaded lagging.
 
     Parameters
     ----------
     arc
         The arc; without its offset e the belt runs at the lagging surface.
     creep_ratio
-        g at the nip where the belt is measured [-].
+        g at the entry nip [-].
+    nip
+        Where the belt is measured: before the drum (``entry``) or behind it (``exit``).
+    """
+    met = belt_to_shaft(arc.radius, arc.pitch_radius, creep_ratio)
+    return met * strain_of(arc) if nip == "exit" else met
+
+
+def strain_of(arc: WrapArc) -> float:
+    """Return the speed of the belt behind a drum over that before it [-]."""
+    return strain_ratio(arc.exit_tension, arc.entry_tension, arc.axial_stiffness)
+
+
+def tachometer_ratio(result: ArcResult, nip: Nip, zero: float = 1.0) -> float:
+    """Return what a tachometer pair shows, 1 - v/(omega R) [-], see `speed_over_shaft`.
+
+    Parameters
+    ----------
+    result
+        A solved arc.
+    nip
+        Where the belt is measured.
     zero
         What the measured ratio of the speeds is off by, a factor near 1 [-].
     """
-    return 1.0 - zero * arc.pitch_radius / arc.radius * (1.0 - creep_ratio)
+    return 1.0 - zero * speed_over_shaft(result.arc, result.entry_creep_ratio, nip)
+
+
+def offset_by(arc: WrapArc, creep_ratio: float, zero: Number) -> float:
+    """Return the offset e that a zero record shows [m].
+
+    Parameters
+    ----------
+    arc
+        The arc of the record.
+    creep_ratio
+        g at its entry nip [-].
+    zero
+        What was measured.
+    """
+    pitch = arc.pitch_radius * (1.0 - zero.value) / speed_over_shaft(arc, creep_ratio, zero.nip)
+    return pitch - arc.radius + arc.compression
 
 
 def variable_of(name: str, value: float) -> float:

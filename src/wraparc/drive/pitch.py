@@ -9,6 +9,11 @@ equilibrium along the radius give, with T* = T - m v^2,
 creep and slip being those at the surface. That is the arc of a belt without thickness on a pulley
 of the radius R + e, the wrap angle phi R/(R + e) and the width B R/(R + e): arc length and
 pressures are the same. Speed, torque and power belong to the pitch radius R - delta + e.
+
+Where the belt meets the drum it runs at v1 = omega (R - delta + e)(1 - g). From there on its speed
+follows its strain alone, as the mass that passes in a second is the same everywhere: behind the
+drum v2/v1 = (1 + T2/EA)/(1 + T1/EA), EA being that of the belt. The recovery of the lagging under
+it, part of 1/EA', moves the surface against the belt and so the friction, not the belt.
 """
 
 from __future__ import annotations
@@ -181,6 +186,32 @@ def pitch_radius(radius: Number, compression: Number, offset: Number) -> Number:
         e of the tension member over the surface of the lagging [m].
     """
     return radius - compression + offset
+
+
+def strain_ratio(tension: Number, reference: Number, stiffness: Number) -> Number:
+    """Speed of a belt over its speed at another place, (1 + T/EA)/(1 + T_0/EA) [-].
+
+    Parameters
+    ----------
+    tension, reference
+        T there, and T_0 at the other place [N]. Those above m v^2 give the same with EA + m v^2.
+    stiffness
+        EA of the belt alone [N].
+    """
+    return (1.0 + tension / stiffness) / (1.0 + reference / stiffness)
+
+
+def belt_to_shaft(radius: Number, pitch: Number, creep_ratio: Number) -> Number:
+    """Speed of the belt that meets a drum over omega R, (R - delta + e)(1 - g)/R [-].
+
+    Parameters
+    ----------
+    radius, pitch
+        R over the unloaded lagging; R - delta + e, see `pitch_radius` [m].
+    creep_ratio
+        g at the entry nip [-].
+    """
+    return pitch / radius * (1.0 - creep_ratio)
 
 
 def turns_an_hour(speed: Number, pitch: Number) -> Number:

@@ -11,7 +11,7 @@ from wraparc.plot.budget import draw_budget
 from wraparc.plot.picture import Picture, styled
 from wraparc.plot.profiles import draw_profiles
 from wraparc.plot.pulley import draw_pulley
-from wraparc.units import System, display
+from wraparc.units import System, display, in_units
 from wraparc.version import __version__
 
 if TYPE_CHECKING:
@@ -41,7 +41,8 @@ def plot_drive(
     position = first.arcs.index(first.governing)
     arcs = [result.arcs[position] for result in results]
     title = first.drive.title or "Drive"
-    return plot_arc(arcs, system, quantity=quantity, title=title, remarks=judge(first).data)
+    remarks = [in_units(remark, system) for remark in judge(first).data]
+    return plot_arc(arcs, system, quantity=quantity, title=title, remarks=remarks)
 
 
 def plot_arc(

@@ -14,7 +14,7 @@ from wraparc.batch import BatchResult, Setting, row
 from wraparc.batch.arcs import Arcs
 from wraparc.batch.scaled import solve_scaled
 from wraparc.batch.solve import share_chunks
-from wraparc.drive.pitch import centrifugal_of
+from wraparc.drive.pitch import centrifugal_of, strain_ratio
 from wraparc.drive.pull import given_up, rises_of
 from wraparc.errors import InputError
 from wraparc.train.balance import Balanced, Equations, balance
@@ -208,8 +208,8 @@ def _tensioned(equations: Equations, between: Array, belt_speed: Array) -> Arcs:
     """Return the arcs of all drums at their tensions; belt speeds at the first entry nip."""
     rows = equations.rows
     entries, exits = equations.tensions(np.arange(len(rows)), between)
-    stretch = 1.0 + entries / rows.light_stiffness[:, None]
-    speeds = belt_speed[:, None] * stretch / stretch[:, :1]
+    strain = strain_ratio(entries, entries[:, :1], rows.light_stiffness[:, None])
+    speeds = belt_speed[:, None] * strain
     return replace(
         equations.arcs,
         entry_tension=entries.ravel(),

@@ -10,7 +10,7 @@ import numpy as np
 
 from wraparc.arrays import Array, Codes, Flags
 from wraparc.batch import STATUSES, BatchResult
-from wraparc.drive.pitch import pitch_radius
+from wraparc.drive.pitch import pitch_radius, strain_ratio
 from wraparc.errors import pandas
 from wraparc.train.motor_rows import MotorRows
 from wraparc.train.result import TrainStatus
@@ -166,7 +166,7 @@ def drum_columns(
     made = []
     for i, drum in enumerate(arcs):
         pull = np.where(found, drum["effective_tension"], np.nan)
-        stretch = (1.0 + entry[i] / stiffness) / (1.0 + entry[0] / stiffness)
+        stretch = strain_ratio(entry[i], entry[0], stiffness)
         speed_ratio = stretch * (1.0 - ratio[0]) / (1.0 - ratio[i])
         arm, first = (pitch_radius(radius[k], pressed[k], offset[k]) for k in (i, 0))
         surface = belt_speed * stretch / (1.0 - ratio[i])

@@ -9,7 +9,7 @@ from math import exp, nan
 from wraparc.arc import ArcResult, Distributed, Status, WrapArc
 from wraparc.drive import Pulley
 from wraparc.drive.load_case import exit_behind
-from wraparc.drive.pitch import centrifugal_of, pitch_offset
+from wraparc.drive.pitch import centrifugal_of, pitch_offset, strain_ratio
 from wraparc.drive.pull import ALONE, Growth, growth_among
 from wraparc.errors import BreakawayError, ConvergenceError, input_error
 from wraparc.train.locate import Located, away, locate
@@ -222,12 +222,12 @@ def _reported(
 ) -> CaseResult:
     """Solve the arcs for their tensions and put everything together."""
     train, case, system = setup.train, setup.case, setup.system
-    stretch, lift = train.belt.axial_stiffness, centrifugal_of(train.belt)
+    stiffness, lift = train.belt.axial_stiffness, centrifugal_of(train.belt)
     at_first = train.belt.speed or nan
     if located is not None and setup.reference == setup.reference:
-        light = 1.0 + (pairs[0][0] - lift) / (stretch + lift)
+        light = 1.0 + (pairs[0][0] - lift) / (stiffness + lift)
         at_first = setup.reference * exp(-located.level) * light
-    speeds = [at_first * (1.0 + a / stretch) / (1.0 + pairs[0][0] / stretch) for a, _ in pairs]
+    speeds = [at_first * strain_ratio(a, pairs[0][0], stiffness) for a, _ in pairs]
     growths = _growths(train, pairs)
     arcs = [
         method.solve(arc_of(train, case, p, pair, v if v == v else None, growth))
@@ -252,7 +252,7 @@ def _reported(
     ]
     total = case.effective_tension
     turnings = [
-        turning(nips[0], nip, stretch, total, v) for nip, v in zip(nips, speeds, strict=True)
+        turning(nips[0], nip, stiffness, total, v) for nip, v in zip(nips, speeds, strict=True)
     ]
     members = tuple(
         MemberResult(

@@ -7,7 +7,7 @@ from dataclasses import replace
 from math import log, log1p, nan
 from typing import NamedTuple
 
-from wraparc.drive.pitch import USUAL_OFFSET, pitch_radius
+from wraparc.drive.pitch import USUAL_OFFSET, pitch_radius, strain_ratio
 from wraparc.train.linear import Matrix
 from wraparc.train.locate import Located
 from wraparc.train.member import Passage
@@ -101,7 +101,7 @@ def turning(first: Nip, at: Nip, stiffness: float, total: float, belt_speed: flo
     """
     a, a1, g, g1 = at.entry, first.entry, at.creep_ratio, first.creep_ratio
     leaves = 1.0 - g if g < 1.0 else nan  # a drum that slides as much as it can moves no belt
-    ratio = (1.0 + a / stiffness) * (1.0 - g1) / ((1.0 + a1 / stiffness) * leaves)
+    ratio = strain_ratio(a, a1, stiffness) * (1.0 - g1) / leaves
     arm = pitch_radius(at.radius, at.compression, at.offset)
     arm1 = pitch_radius(first.radius, first.compression, first.offset)
     surface = belt_speed / leaves

@@ -25,9 +25,9 @@ import {
   meet__interface,
   meet__may_rest,
   meet__with_rest,
-  numbers__idles,
   profile__entry_ratio,
   profile__traction_of,
+  pull__idles,
   quantities__counted,
   quantities__jumps,
   summary__geometry_of,
@@ -1823,6 +1823,11 @@ export function in_page_train___nip(member, arc, nominal, lift) {
   );
 }
 
+/** Speed of a belt over its speed at another place, (1 + T/EA)/(1 + T_0/EA) [-]. */
+export function pitch__strain_ratio(tension, reference, stiffness) {
+  return (1.0 + tension / stiffness) / (1.0 + reference / stiffness);
+}
+
 /** R - delta + e, at which the belt pulls and runs [m]. */
 export function pitch__pitch_radius(radius, compression, offset) {
   return radius - compression + offset;
@@ -1835,7 +1840,7 @@ export function turning__turning(first, at, stiffness, total, belt_speed) {
   let g = at.creep_ratio;
   let g1 = first.creep_ratio;
   let leaves = g < 1.0 ? 1.0 - g : NaN;
-  let ratio = ((1.0 + a / stiffness) * (1.0 - g1)) / ((1.0 + a1 / stiffness) * leaves);
+  let ratio = (pitch__strain_ratio(a, a1, stiffness) * (1.0 - g1)) / leaves;
   let arm = pitch__pitch_radius(at.radius, at.compression, at.offset);
   let arm1 = pitch__pitch_radius(first.radius, first.compression, first.offset);
   let surface = belt_speed / leaves;
@@ -2141,7 +2146,7 @@ export function sheet__named(name, value) {
 
 /** Whether an arc hands nothing over: its pulley is not driven. */
 export function rule__idle(arc) {
-  return numbers__idles(arc.entry_tension, arc.exit_tension);
+  return pull__idles(arc.entry_tension, arc.exit_tension);
 }
 
 export function train_words___shares(case_) {

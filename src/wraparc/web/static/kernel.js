@@ -725,7 +725,7 @@ export class CapacityNumbers {
     tested_slip_capacity,
     tested_slip_margin,
     gross_slip_capacity,
-    gross_slip_margin,
+    extrapolated_gross_slip_margin,
     gross_slip_creep,
   ) {
     this.creep_limit_capacity = creep_limit_capacity;
@@ -736,7 +736,7 @@ export class CapacityNumbers {
     this.tested_slip_capacity = tested_slip_capacity;
     this.tested_slip_margin = tested_slip_margin;
     this.gross_slip_capacity = gross_slip_capacity;
-    this.gross_slip_margin = gross_slip_margin;
+    this.extrapolated_gross_slip_margin = extrapolated_gross_slip_margin;
     this.gross_slip_creep = gross_slip_creep;
   }
   *[Symbol.iterator]() {
@@ -748,7 +748,7 @@ export class CapacityNumbers {
     yield this.tested_slip_capacity;
     yield this.tested_slip_margin;
     yield this.gross_slip_capacity;
-    yield this.gross_slip_margin;
+    yield this.extrapolated_gross_slip_margin;
     yield this.gross_slip_creep;
   }
 }
@@ -3848,7 +3848,7 @@ export function in_page__quick(law, given, tested, points) {
 }
 
 /** Whether an arc hands nothing over: its pulley is not driven. */
-export function numbers__idles(entry, leaving) {
+export function pull__idles(entry, leaving) {
   return Math.abs(entry - leaving) <= 1e-6 * entry;
 }
 
@@ -4416,7 +4416,7 @@ export function in_page__judged(law, given, tested, criteria, points) {
   let arc = in_page__description_of(given);
   let entry = arc.entry_tension;
   let leaving = arc.exit_tension;
-  if (in_page__refused(law, arc, given.steepest_fall) || numbers__idles(entry, leaving)) {
+  if (in_page__refused(law, arc, given.steepest_fall) || pull__idles(entry, leaving)) {
     return null;
   }
   let geometry = summary__geometry_of(arc);

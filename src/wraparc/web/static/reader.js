@@ -1,6 +1,6 @@
 // @ts-nocheck
 // Made from the Python source by `make kernel`: change that, not this.
-import { answer__operating_point, compression__block_modulus, compression__shape_factor, load_case__exit_behind, load_case__resultant, numbers__idles, pitch__centrifugal_force, summary__available, summary__geometry_of, summary__held_creep, summary__overrun_loosens, summary__recovery_compliance, summary__spring_rate, summary__too_steep, tension_rules__behind_take_up, tension_rules__effective_keys, tension_rules__ends_of, tension_rules__families, tension_rules__fault_of, tension_rules__filled, tension_rules__less_runs, tension_rules__overridden, tension_rules__pull_given, tension_rules__speed_missing, tension_rules__too_few } from "./kernel.js";
+import { answer__operating_point, compression__block_modulus, compression__shape_factor, load_case__exit_behind, load_case__resultant, pitch__centrifugal_force, pull__idles, summary__available, summary__geometry_of, summary__held_creep, summary__overrun_loosens, summary__recovery_compliance, summary__spring_rate, summary__too_steep, tension_rules__behind_take_up, tension_rules__effective_keys, tension_rules__ends_of, tension_rules__families, tension_rules__fault_of, tension_rules__filled, tension_rules__less_runs, tension_rules__overridden, tension_rules__pull_given, tension_rules__speed_missing, tension_rules__too_few } from "./kernel.js";
 import { cell__percent, cell__quantity } from "./cells.js";
 import { cellOf } from "./base/digits.js";
 import { belts, isNumber, laggingNames, laggingText, overridden, parsed, readText, term } from "./documents.js";
@@ -88,7 +88,7 @@ if (($in("thickness", record))) {
 if ((mass != null)) {
 ([more, published] = [$map([...more, ["mass", mass]]), $merged(published, $map([["mass", belt_mass__layer_source(preset)]]))]);
 }
-(sources = $merged($merged(published, $map([...(function* () { for (const key of $iter($ca32a)) { if (!(($in(key, record)))) continue; yield [key, own]; } })()])), sources));
+(sources = $merged($merged(published, $map([...(function* () { for (const key of $iter($c2a894)) { if (!(($in(key, record)))) continue; yield [key, own]; } })()])), sources));
 } else {
 if (((!$in("modulus", record)) && $truth(record.sound("modulus")))) {
 (remedy = "Write modulus = \"12960 kN/m\", or choose a belt by preset.");
@@ -821,7 +821,7 @@ return ($truth($math.isnan(found)) ? null : found);
 function pitch__layers_of(belt) {
 let given;
 
-(given = [belt.pulley_cover, belt.carry_cover, belt.carcass, belt.thickness]);
+(given = [belt.pulley_cover, belt.carry_cover, belt.cord, belt.thickness]);
 return pitch__layers(...$iter((function* () { for (const value of $iter(given)) { yield ((value == null) ? NaN : value); } })()));
 }
 function pitch__layers(pulley_cover, carry_cover, carcass, thickness) {
@@ -1267,9 +1267,9 @@ let after, names, pulls;
 
 ([pulls, names] = [[...(function* () { for (const arc of $iter(arcs)) { yield arc.effective_tension; } })()], [...(function* () { for (const arc of $iter(arcs)) { yield arc.pulley; } })()]]);
 (after = ($truth(take_up.after) ? $m.index(names, $bound(take_up, "after")) : $neg(1)));
-return new Rise(...$iter($b.map($b.float, numbers__rise_among(pulls, index, $bound(take_up, "fixed"), after))));
+return new Rise(...$iter($b.map($b.float, pull__rise_among(pulls, index, $bound(take_up, "fixed"), after))));
 }
-function numbers__rise_among(pulls, index, fixed, after) {
+function pull__rise_among(pulls, index, fixed, after) {
 let ahead, behind, entry, leaving, lost, mine, total;
 
 ([total, mine] = [$b.sum(pulls), $at(pulls, index)]);
@@ -1407,7 +1407,7 @@ return $b.any((function* () { for (const arc of $iter(in_page_checks__arcs_of(dr
 }
 function rule__idle(arc) {
 
-return numbers__idles($bound(arc, "entry_tension"), $bound(arc, "exit_tension"));
+return pull__idles($bound(arc, "entry_tension"), $bound(arc, "exit_tension"));
 }
 function judge__judge(result) {
 
@@ -1671,10 +1671,10 @@ yield of_drive__sense(case_, pulley);
 }
 }
 function of_arc__grip(drive, case_, arcs, index) {
-let name, place, result, rise, take_up, title;
+let name, place, result, title;
 
 (result = $at(arcs, index));
-([take_up, name] = [drive.criteria.take_up, "gross_slip"]);
+(name = "gross_slip");
 (place = new Place($bound(result.arc, "pulley"), $bound(case_, "name")));
 (title = $m.format("Safety against gross slip, {}", [$bound(case_, "kind")], $map([])));
 if ((result.status === "The solver did not reach its accuracy on this arc. Please report the drive file; until then change a value slightly.")) {
@@ -1683,10 +1683,9 @@ return new Check(name, title, "FAULT OF THE PROGRAM", place, undefined, undefine
 if ($truth(rule__idle($bound(result, "arc")))) {
 return new Check(name, "No pull to carry", "OK", place, undefined, undefined, undefined, undefined, undefined, "not driven");
 }
-(rise = gross_slip__rises([...(function* () { for (const r of $iter(arcs)) { yield r.arc; } })()], index, take_up));
-return of_arc__of_sliding(drive, case_, result, in_page_checks__sliding(result, rise));
+return of_arc__of_sliding(drive, case_, result, in_page_checks__sliding(result));
 }
-function in_page_checks__sliding(result, _rise) {
+function in_page_checks__sliding(result, _rise = null) {
 
 return new Sliding($bound(result.found, "place"), $bound(result.found, "cause"));
 }
@@ -1760,7 +1759,7 @@ function of_drive__sense(case_, pulley) {
 let none, tensions, told;
 
 (tensions = $at(case_.tensions, pulley.name));
-(none = numbers__idles($bound(tensions, "entry"), $bound(tensions, "exit")));
+(none = pull__idles($bound(tensions, "entry"), $bound(tensions, "exit")));
 (told = ($truth(none) ? "pulls nothing (T1 = T2)" : "brakes (T1 < T2)"));
 return new Check("sense", ("" + "Pulley " + $str(pulley.name) + " " + $str(told)), "OK", new Place($bound(pulley, "name"), $bound(case_, "name")), undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, false);
 }
@@ -1860,7 +1859,7 @@ yield usual__unusual(("" + "mass of pulley " + $str(pulley.name)), "mass", place
 }
 }
 ([rating, stiff] = [drive.belt.rating, drive.belt.modulus]);
-(fabric = $and(($eq(drive.belt.kind, "fabric")), () => $and(rating, () => numbers__usual(rating, ...$iter($at($c7198, 11))))));
+(fabric = $and(($eq(drive.belt.kind, "fabric")), () => $and(rating, () => numbers__usual(rating, ...$iter($at($c39c4, 11))))));
 if (($truth(fabric) && $truth(rating) && !$truth(numbers__usual((stiff / rating), 0.0, 250.0)))) {
 yield usual__unusual("modulus over the rating of the belt", "number", $cb829, (stiff / rating), [15.0, 250.0]);
 }
@@ -2100,7 +2099,7 @@ for (case_ of $iter(drive.load_cases)) {
 for (pulley of $iter(drive.in_case(case_).pulleys)) {
 (names = usual___names(pulley, case_));
 (values = numbers__compared_sizes(usual__sizes_of(drive, case_, pulley)));
-for ([[name, dimension, place], value, [least, most]] of $iter($b.zip(names, values, $c7198, $k({strict: true})))) {
+for ([[name, dimension, place], value, [least, most]] of $iter($b.zip(names, values, $c39c4, $k({strict: true})))) {
 (made = $or(($in(name, ["modulus over the rating of the belt", "strength over the rating of the belt", "tension that keeps the belt from sagging"])), () => $m.startswith(name, "pressure of the belt at its rating")));
 if (!($truth(numbers__usual(value, least, most)) || ($truth(made) && $truth(odd)))) {
 (size = (($in(dimension, $c5944)) ? drive.belt.width : 1.0));
@@ -2123,7 +2122,7 @@ let belt, idle, lagging, sag, tensions;
 
 ([belt, lagging, sag] = [drive.belt, pulley.lagging, drive.criteria.sag]);
 (tensions = $at(case_.tensions, pulley.name));
-(idle = numbers__idles($bound(tensions, "entry"), $bound(tensions, "exit")));
+(idle = pull__idles($bound(tensions, "entry"), $bound(tensions, "exit")));
 function known(value) {
 return ((value == null) ? NaN : value);
 }
@@ -2284,7 +2283,7 @@ function* least_tension___estimates(spot, result, offset) {
 let asks, factor, rule, title;
 
 (factor = of_wet__estimate_factor(spot));
-for ([rule, title, asks] of $iter([[$c8a85, "Creep with the cover of the belt in series", in_page_checks__least_when_covered(result)], [$cef26, "Creep at the end of its interval", in_page_checks__least_by_interval(result)], [$c2e75, "Creep when wet, estimated", in_page_checks__least_when_wet(result, factor)]])) {
+for ([rule, title, asks] of $iter([[$c8a85, "Creep with the cover of the belt in series", in_page_checks__least_when_covered(result)], [$cef26, "Creep at the end of its interval", least_tension___by_interval(result)], [$c2e75, "Creep when wet, estimated", in_page_checks__least_when_wet(result, factor)]])) {
 if (!$truth($math.isnan(asks))) {
 yield new Figure($bound(rule, "name"), title, $add(offset, asks), $bound(spot, "place"), false);
 }
@@ -2294,7 +2293,13 @@ function in_page_checks__least_when_covered(result) {
 
 return result.found.least_when_covered;
 }
-function in_page_checks__least_by_interval(_result) {
+function least_tension___by_interval(result) {
+if (($eq(result.method, "paper"))) {
+return NaN;
+}
+return in_page_checks__least_by_interval($bound(result, "arc"), $bound(result.capacities, "least_exit_tension"));
+}
+function in_page_checks__least_by_interval(_arc, _least) {
 
 return NaN;
 }
@@ -2422,17 +2427,18 @@ function in_page_checks__lift(result, _factor, _tight_rise) {
 return result.found.lift;
 }
 function* least_tension___of_tension(rule, of, end) {
-let asks, least, more, now, rise, value, words;
+let rise, words;
 
-([words, value] = [$and(rule.words, () => rule.words(of)), rule.value]);
-(asks = $and(rule.tension, () => (rule.firm == null)));
-if ((!$truth(asks) || (value == null) || (words == null) || $truth(words.missing))) {
+(words = $and(rule.words, () => rule.words(of)));
+if ((!$truth(least_tension__is_of_tension(rule)) || (words == null) || $truth(words.missing))) {
 return null;
 }
-([more, least] = [$mul(of.state.width, 1000.0), ($eq(rule.tension, "raise"))]);
-(now = value($bound(of, "state")));
-(rise = $mul(($sub(rule.limit_at(of), now) / $sub(value(of.state.raised(more)), now)), more));
-yield new Figure($bound(rule, "name"), $bound(words, "title"), $add(end, rise), $bound(of, "place"), undefined, least);
+(rise = rule.rise_to($bound(of, "state"), rule.limit_at(of)));
+yield new Figure($bound(rule, "name"), $bound(words, "title"), $add(end, rise), $bound(of, "place"), undefined, ($eq(rule.tension, "raise")));
+}
+function least_tension__is_of_tension(rule) {
+
+return $and($b.bool($bound(rule, "tension")), () => $and((rule.firm == null), () => (rule.value != null)));
 }
 function least_tension__taut(conveyor) {
 let ends, slackest, tension;
@@ -3156,7 +3162,7 @@ let group, pull, pulley, ratio;
 return [...$iter(inputs__belt_inputs($replaced(drive.belt, new Map([["speed", arc.belt_speed]])))), ...$iter(inputs___pulley(drive, pulley, $bound(arc, "entry_overrun"))), ...$iter(inputs__lagging_inputs($bound(pulley, "lagging"))), ...$iter(inputs___tensions(drive, arc)), inputs___named(group, "effective_tension", pull, null, $bound(arc, "duty")), inputs___named(group, "tension_ratio", ratio, null)];
 }
 function* inputs__belt_inputs(belt) {
-let group, key, least, most, name, origin_of, shear;
+let group, key, layers, least, most, name, origin_of, shear;
 
 (group = "Belt");
 function origin(key) {
@@ -3186,7 +3192,8 @@ if ((shear != null)) {
 (origin_of = origin("in_plane_shear_stiffness"));
 yield inputs___named(group, "in_plane_shear_stiffness", shear, origin_of);
 }
-for (key of $iter([...$iter($c2d22), "thickness", "cover_shear_modulus", "mass"])) {
+(layers = [...$iter($c2d22), "thickness", "cover_shear_modulus", "cord_diameter", "cord_pitch", "mass"]);
+for (key of $iter(layers)) {
 if (($b.getattr(belt, key) != null)) {
 (name = $m.get($map([["thickness", "belt_thickness"], ["mass", "belt_mass"]]), key, key));
 yield inputs___named(group, name, $b.getattr(belt, key), origin(key));
@@ -4184,6 +4191,24 @@ let pairs, runs;
 (runs = $b.tuple((function* () { for (const [a, b] of $iter($b.pairwise(pairs))) { yield $sub(b.entry, a.exit); } })()));
 return new TrainCase(case_.name, $at(pairs, 0).entry, $at(pairs, $neg(1)).exit, new Pulls($b.tuple((function* () { for (const pair of $iter(pairs)) { yield pair.effective; } })())), ($truth($b.any(runs)) ? runs : []), case_.kind, case_.condition, case_.description);
 }
+function pull__growth_in(drive, case_, pulley) {
+let after, names, pulls, take_up;
+
+([names, take_up] = [[...(function* () { for (const p of $iter(drive.pulleys)) { yield p.name; } })()], drive.criteria.take_up]);
+(after = ($truth(take_up.after) ? $m.index(names, $bound(take_up, "after")) : $neg(1)));
+(pulls = [...(function* () { for (const name of $iter(names)) { yield $at(case_.tensions, name).effective; } })()]);
+return pull__growth_among(pulls, $m.index(names, $bound(pulley, "name")), $bound(take_up, "fixed"), after);
+}
+function pull__growth_among(pulls, index, fixed, after) {
+let mine, slack, tight;
+
+(mine = $b.abs($at(pulls, index)));
+if (($eq(mine, 0.0))) {
+return $c6b61;
+}
+([tight, slack] = pull__rise_among(pulls, index, fixed, after));
+return new Growth((tight / mine), (slack / mine));
+}
 function wrap_arc__of_belt(belt, side, law) {
 let counted, cover;
 
@@ -4197,9 +4222,25 @@ return ((law.slip_includes == null) ? null : ($in(part, law.slip_includes)));
 function pitch__cover_compliance(belt, side) {
 let cover, modulus;
 
-(cover = pitch__touching_cover(pitch__layers_of(belt), ($eq(side, "carry"))));
+(cover = pitch__sheared_cover(belt, side));
 (modulus = ((belt.cover_shear_modulus == null) ? 1000000.0 : belt.cover_shear_modulus));
 return ($truth($math.isnan(cover)) ? 0.0 : (cover / modulus));
+}
+function pitch__sheared_cover(belt, side) {
+let cover;
+
+(cover = pitch__touching_cover(pitch__layers_of(belt), ($eq(side, "carry"))));
+if (((belt.cord_pitch == null) || $truth($math.isnan(cover)))) {
+return cover;
+}
+return pitch__sheared_thickness(cover, $bound(pitch__layers_of(belt), "carcass"), $bound(belt, "cord_pitch"));
+}
+function pitch__sheared_thickness(cover, diameter, pitch) {
+let between, share;
+
+(share = (diameter / pitch));
+(between = ($math.log($add(1.0, ($add((1.0 / 3.141592653589793), ($mul(0.65, $pow(share, 2)) / $add(1.0, $mul(3.75, $pow(share, 2))))) / share))) / $mul(2.0, 3.141592653589793)));
+return $add(cover, $mul($mul(pitch, between), $sub(1.0, $mul(0.44, $math.exp(($mul($mul($neg(4.0), 3.141592653589793), cover) / pitch))))));
 }
 function pitch__whole_thickness(belt) {
 let total;
@@ -4527,7 +4568,7 @@ let belt, ends, pulley, title, why;
 if ((belt.least_pulley_diameter == null)) {
 return new Words(title, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, "the least pulley of the belt is not given");
 }
-if ($truth($b.all((function* () { for (const at of $iter(ends)) { yield numbers__idles($bound(at, "entry"), $bound(at, "exit")); } })()))) {
+if ($truth($b.all((function* () { for (const at of $iter(ends)) { yield pull__idles($bound(at, "entry"), $bound(at, "exit")); } })()))) {
 (why = "that of the belt is the least drive pulley, and this one pulls nothing");
 return new Words(title, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, why);
 }
@@ -4720,7 +4761,7 @@ let _, chosen, criteria, found, how, limit, name, pulley, rule, start, tensions,
 ([criteria, pulley] = [of.drive.criteria, of.pulley]);
 (found = design_standard__asked($bound(criteria, "standard"), $bound(criteria, "take_up"), $bound(pulley, "lagging"), $bound(pulley, "wrap_angle")));
 ([tensions, rule] = [$at(of.case.tensions, pulley.name), $c960d.held($bound(of, "drive"))]);
-if (((found == null) || $truth(numbers__idles($bound(tensions, "entry"), $bound(tensions, "exit"))))) {
+if (((found == null) || $truth(pull__idles($bound(tensions, "entry"), $bound(tensions, "exit"))))) {
 return null;
 }
 if ($truth($math.isnan($bound(found, "wrap_factor")))) {
@@ -5877,7 +5918,7 @@ static of(drive, pulley, case_) {
 const cls = this; let lagging, tensions;
 
 ([lagging, tensions] = [pulley.lagging_in($bound(case_, "condition")), $at(case_.tensions, pulley.name)]);
-return $method(cls, "on", [$bound(drive, "belt"), pulley, lagging], [["entry_tension", tensions.entry], ["exit_tension", tensions.exit], ["creep_limit", drive.creep_limit_of(pulley)], ["belt_speed", drive.belt.speed], ["fit", lagging.fit], ["load_case", case_.name]]);
+return $method(cls, "on", [$bound(drive, "belt"), pulley, lagging], [["entry_tension", tensions.entry], ["exit_tension", tensions.exit], ["creep_limit", drive.creep_limit_of(pulley)], ["belt_speed", drive.belt.speed], ["fit", lagging.fit], ["growth", pull__growth_in(drive, case_, pulley)], ["load_case", case_.name]]);
 }
 static on(belt, pulley, lagging, more = new Map()) {
 const cls = this; 
@@ -5962,7 +6003,7 @@ const self = this;
 return summary__recovery_compliance(self.described());
 }
 }
-$sig(WrapArc, ["law", "entry_tension", "exit_tension", "diameter", "wrap_angle", "width", "axial_stiffness", "thickness", "shear_modulus", "compression_modulus", "overrun", "recovery", "creep_limit", "belt_speed", "wear_coefficient", "pitch_offset", "cover_compliance", "cover_left_out", "side_of_belt", "belt_thickness", "centrifugal", "fit", "pulley", "load_case"], false, {thickness: () => 0.0, shear_modulus: () => Infinity, compression_modulus: () => Infinity, overrun: () => null, recovery: () => true, creep_limit: () => 0.00635, belt_speed: () => null, wear_coefficient: () => null, pitch_offset: () => null, cover_compliance: () => 0.0, cover_left_out: () => 0.0, side_of_belt: () => "pulley", belt_thickness: () => null, centrifugal: () => 0.0, fit: () => null, pulley: () => "", load_case: () => ""});
+$sig(WrapArc, ["law", "entry_tension", "exit_tension", "diameter", "wrap_angle", "width", "axial_stiffness", "thickness", "shear_modulus", "compression_modulus", "overrun", "recovery", "creep_limit", "belt_speed", "wear_coefficient", "pitch_offset", "cover_compliance", "cover_left_out", "side_of_belt", "belt_thickness", "centrifugal", "fit", "growth", "pulley", "load_case"], false, {thickness: () => 0.0, shear_modulus: () => Infinity, compression_modulus: () => Infinity, overrun: () => null, recovery: () => true, creep_limit: () => 0.00635, belt_speed: () => null, wear_coefficient: () => null, pitch_offset: () => null, cover_compliance: () => 0.0, cover_left_out: () => 0.0, side_of_belt: () => "pulley", belt_thickness: () => null, centrifugal: () => 0.0, fit: () => null, growth: () => $c6b61, pulley: () => "", load_case: () => ""});
 class in_page$Given extends $Tuple {
 }
 $sig(in_page$Given, ["entry_tension", "exit_tension", "effective_tension", "torque", "power", "diameter", "wrap_angle", "overrun", "recovery", "width", "modulus", "speed", "thickness", "shear_modulus", "compression_modulus", "wear_coefficient", "creep_limit", "steepest_fall", "pitch_offset", "cover_compliance", "mass", "slip_with_shear", "belt_speed"], false, {});
@@ -6056,7 +6097,7 @@ if ((result.status === "The solver did not reach its accuracy on this arc. Pleas
 return [2.0, 0.0];
 }
 if ((result.status === "Breakaway: no creep makes enough friction for this tension ratio. Raise the slack-side tension (take-up), enlarge the wrap angle, or choose a lagging with more friction.")) {
-(margin = result.capacities.gross_slip_margin);
+(margin = result.capacities.extrapolated_gross_slip_margin);
 return [1.0, ($truth($math.isfinite(margin)) ? $neg(margin) : 0.0)];
 }
 return [0.0, result.share_of_limit];
@@ -6915,6 +6956,9 @@ $sig(RunsGain, ["base", "case"], false, {base: () => 0.0, case: () => 0.0});
 class BehindTakeUp extends $Tuple {
 }
 $sig(BehindTakeUp, ["share", "behind", "runs"], false, {});
+class Growth extends $Tuple {
+}
+$sig(Growth, ["tight", "slack"], false, {});
 class OfBelt extends $Dict {
 }
 class Description extends $Tuple {
@@ -7192,12 +7236,39 @@ class Belt extends $Object {
 __post_init__() {
 const self = this; let problems;
 (problems = $add(limits__name_problems("name", $bound(self, "name")), limits__limit_problems(self, $bound(self, "LIMITS"))));
-limits__raise_all($or(problems, () => self._layer_problems()));
+limits__raise_all($or(problems, () => $or(self._cord_problems(), () => self._layer_problems())));
+}
+_cord_problems() {
+const self = this; let carcass, cord, diameter, message, pitch, remedy;
+
+([diameter, pitch, carcass] = [self.cord_diameter, self.cord_pitch, self.carcass]);
+if (((diameter != null) && (carcass != null) && ($b.abs($sub(diameter, carcass)) > 1e-06))) {
+(message = ("" + $str(display__display(diameter, "length")) + ", and carcass is " + $str(display__display(carcass, "length"))));
+(remedy = "Of steel cord both are one number: leave one of them out.");
+return [new Problem(message, remedy, undefined, "cord_diameter")];
+}
+(cord = self.cord);
+if ((pitch == null)) {
+return [];
+}
+if ((cord == null)) {
+(remedy = "Write cord_diameter = \"5.6 mm\", or leave cord_pitch out.");
+(message = ("" + $str(display__display(pitch, "length")) + " without cord_diameter"));
+return [new Problem(message, remedy, undefined, "cord_pitch")];
+}
+if ((pitch <= cord)) {
+(message = ("" + $str(display__display(pitch, "length")) + ", at most the cord diameter " + $str(display__display(cord, "length"))));
+(remedy = "The pitch is the distance between the axes of neighbouring cords.");
+return [new Problem(message, remedy, undefined, "cord_pitch")];
+}
+return [];
 }
 _layer_problems() {
-const self = this; let given, key, message, remedy, rounding, short, total, whole;
+const self = this; let given, key, message, of, remedy, rounding, short, total, whole;
 
-(given = $map([...(function* () { for (const key of $iter($c2d22)) { if (!(($b.getattr(self, key) != null))) continue; yield [key, $b.getattr(self, key)]; } })()]));
+(of = $map([["pulley_cover", self.pulley_cover], ["carry_cover", self.carry_cover]]));
+$put(of, "carcass", self.cord);
+(given = $map([...(function* () { for (const [key, value] of $iter($m.items(of))) { if (!((value != null))) continue; yield [key, value]; } })()]));
 ([total, whole] = [$b.sum($m.values(given)), self.thickness]);
 ([short, key, remedy] = [(total <= 0.06), "thickness", ""]);
 if ((whole == null)) {
@@ -7206,7 +7277,7 @@ if ((whole == null)) {
 (remedy = "Check their units.");
 } else {
 (rounding = $mul(1e-09, whole));
-(short = (total <= $add(whole, ((self.carcass != null) ? rounding : $neg(rounding)))));
+(short = (total <= $add(whole, ((self.cord != null) ? rounding : $neg(rounding)))));
 (message = ("" + "too much for a belt of " + $str(display__display(whole, "length"))));
 (remedy = "Give the thickness of the whole belt, or leave it out.");
 if ((($eq($b.len(given), $b.len($c2d22))) && (total < $mul(0.98, whole)))) {
@@ -7219,6 +7290,10 @@ return [];
 }
 (message = ("" + $str($m.join(" + ", given)) + " = " + $str(display__display(total, "length")) + ", " + $str(message)));
 return [new Problem(message, remedy, undefined, key)];
+}
+get cord() {
+const self = this; 
+return ((self.cord_diameter == null) ? self.carcass : self.cord_diameter);
 }
 source_of(part) {
 const self = this; 
@@ -7243,7 +7318,7 @@ const self = this;
 return $mul(self.modulus, self.width);
 }
 }
-$sig(Belt, ["name", "width", "modulus", "rating", "strength", "speed", "kind", "momentary_factor", "least_pulley_diameter", "largest_wrap_pressure", "in_plane_shear_stiffness", "pulley_cover", "carry_cover", "carcass", "thickness", "cover_shear_modulus", "mass", "provenance", "sources"], false, {rating: () => null, strength: () => null, speed: () => null, kind: () => "", momentary_factor: () => null, least_pulley_diameter: () => null, largest_wrap_pressure: () => null, in_plane_shear_stiffness: () => null, pulley_cover: () => null, carry_cover: () => null, carcass: () => null, thickness: () => null, cover_shear_modulus: () => null, mass: () => null, provenance: () => new Provenance(), sources: () => new Map()});
+$sig(Belt, ["name", "width", "modulus", "rating", "strength", "speed", "kind", "momentary_factor", "least_pulley_diameter", "largest_wrap_pressure", "in_plane_shear_stiffness", "pulley_cover", "carry_cover", "carcass", "thickness", "cover_shear_modulus", "cord_diameter", "cord_pitch", "mass", "provenance", "sources"], false, {rating: () => null, strength: () => null, speed: () => null, kind: () => "", momentary_factor: () => null, least_pulley_diameter: () => null, largest_wrap_pressure: () => null, in_plane_shear_stiffness: () => null, pulley_cover: () => null, carry_cover: () => null, carcass: () => null, thickness: () => null, cover_shear_modulus: () => null, cord_diameter: () => null, cord_pitch: () => null, mass: () => null, provenance: () => new Provenance(), sources: () => new Map()});
 class _Nothing extends $Object {
 }
 class TextOr extends Kind {
@@ -7574,6 +7649,14 @@ yield self.held($bound(of, "drive")).judged(value, limit, $bound(of, "place"), w
 compared(state) {
 const self = this; 
 return ($truth(self.value) ? self.value(state) : $at(state.found, self.result));
+}
+rise_to(state, limit) {
+const self = this; let more, now, per_tension;
+
+(more = $mul(state.width, 1000.0));
+(now = self.compared(state));
+(per_tension = ($sub(self.compared(state.raised(more)), now) / more));
+return ($sub(limit, now) / per_tension);
 }
 limit_at(of) {
 const self = this; let allowed;
@@ -8152,14 +8235,20 @@ const $c975b = $made(Limit, $cf70d, ["pressure", 100000.0, 100000000.0, false, t
 const $c081b = $made(Quantity, $cd20a, ["pressure", $c975b]);
 const $cc736 = $made(WordOr, $c6a10, ["rigid", $c081b, Infinity]);
 const $c182a = $made(Entry, $cc442, ["cover_shear_modulus", $cc736, false, "", "", "cover_shear_modulus", ""]);
+const $c7e3d = $made(Limit, $cf70d, ["length", 0.0, 0.06, true, false]);
+const $c7195 = $made(Quantity, $cd20a, ["length", $c7e3d]);
+const $c9939 = $made(Entry, $cc442, ["cord_diameter", $c7195, false, "", "", "cord_diameter", ""]);
+const $c26ab = $made(Limit, $cf70d, ["length", 0.0, 0.1, true, false]);
+const $c2854 = $made(Quantity, $cd20a, ["length", $c26ab]);
+const $c158e = $made(Entry, $cc442, ["cord_pitch", $c2854, false, "", "", "cord_pitch", ""]);
 const $ce1b5 = $made(Limit, $cf70d, ["mass_per_length", 0.0, 1000000.0, true, false]);
 const $c8beb = $made(Quantity, $cd20a, ["mass_per_length", $ce1b5]);
 const $cea14 = $made(Entry, $cc442, ["mass", $c8beb, false, "", "", "mass", ""]);
 const $c69c3 = $made(Entry, $cc442, ["provenance", $cc542, false, "", "", "provenance", ""]);
 const $c0309 = $made(ByName, $cf6b7, [$cc542, 200]);
 const $c9b00 = $made(Entry, $cc442, ["sources", $c0309, false, "", "", "sources", ""]);
-const $c75bc = [$c3ef1, $c801a, $c7e52, $cd329, $c0833, $cb059, $c8c7e, $c2745, $c5eeb, $cfe48, $c87e9, $c4ee8, $cc066, $c6210, $cc24c, $c91f6, $c182a, $cea14, $c69c3, $c9b00];
-const $c87a7 = new Map([["preset", $c3ef1], ["name", $c801a], ["kind", $c7e52], ["width", $cd329], ["modulus", $c0833], ["rating", $cb059], ["strength", $c8c7e], ["speed", $c2745], ["momentary_factor", $c5eeb], ["least_pulley_diameter", $cfe48], ["largest_wrap_pressure", $c87e9], ["in_plane_shear_stiffness", $c4ee8], ["pulley_cover", $cc066], ["carry_cover", $c6210], ["carcass", $cc24c], ["thickness", $c91f6], ["cover_shear_modulus", $c182a], ["mass", $cea14], ["provenance", $c69c3], ["sources", $c9b00]]);
+const $c75bc = [$c3ef1, $c801a, $c7e52, $cd329, $c0833, $cb059, $c8c7e, $c2745, $c5eeb, $cfe48, $c87e9, $c4ee8, $cc066, $c6210, $cc24c, $c91f6, $c182a, $c9939, $c158e, $cea14, $c69c3, $c9b00];
+const $c87a7 = new Map([["preset", $c3ef1], ["name", $c801a], ["kind", $c7e52], ["width", $cd329], ["modulus", $c0833], ["rating", $cb059], ["strength", $c8c7e], ["speed", $c2745], ["momentary_factor", $c5eeb], ["least_pulley_diameter", $cfe48], ["largest_wrap_pressure", $c87e9], ["in_plane_shear_stiffness", $c4ee8], ["pulley_cover", $cc066], ["carry_cover", $c6210], ["carcass", $cc24c], ["thickness", $c91f6], ["cover_shear_modulus", $c182a], ["cord_diameter", $c9939], ["cord_pitch", $c158e], ["mass", $cea14], ["provenance", $c69c3], ["sources", $c9b00]]);
 const $c808d = $made(tables$Table, $cc03e, [Belt, $c75bc, $c87a7]);
 const $cfe86 = $made(Entry, $cc442, ["belt", $c808d, true, "", "a [belt] table", "belt", ""]);
 const $ce552 = ["kind", "least", "most"];
@@ -8766,7 +8855,7 @@ const $c4e7d = [$cb73a, $c34bd, $ce3f2, $cb10e, $c750b, $cfe86, $c2dd7, $c141c, 
 const $c8d19 = new Map([["format", $cb73a], ["title", $c34bd], ["description", $ce3f2], ["creep_limit", $cb10e], ["condition", $c750b], ["belt", $cfe86], ["pulley", $c2dd7], ["lagging", $c141c], ["load_case", $cf53e], ["conveyor", $c8364], ["take_up", $cdc1c], ["design_standard", $c25c2], ["safety_factor", $cdb8f], ["sag", $c490f], ["covered", $c1441], ["train", $cf4d4], ["motion", $cb32b]]);
 const $cca53 = $made(tables$Table, $cc03e, [Drive, $c4e7d, $c8d19]);
 const $c2628 = ["name", "kind", "modulus", "rating", "least_pulley_diameter", "carcass"];
-const $ca32a = new Map([["width", $c1da4], ["modulus", $c5a26], ["rating", $c4bc3], ["strength", $c3eaf], ["speed", $c45b0], ["momentary_factor", $cfb5f], ["least_pulley_diameter", $cbc30], ["largest_wrap_pressure", $cf3a1], ["in_plane_shear_stiffness", $cd676], ["pulley_cover", $cbe31], ["carry_cover", $ca3d0], ["carcass", $c9b33], ["thickness", $cbf1f], ["cover_shear_modulus", $c975b], ["mass", $ce1b5]]);
+const $c2a894 = new Map([["width", $c1da4], ["modulus", $c5a26], ["rating", $c4bc3], ["strength", $c3eaf], ["speed", $c45b0], ["momentary_factor", $cfb5f], ["least_pulley_diameter", $cbc30], ["largest_wrap_pressure", $cf3a1], ["in_plane_shear_stiffness", $cd676], ["pulley_cover", $cbe31], ["carry_cover", $ca3d0], ["carcass", $c9b33], ["thickness", $cbf1f], ["cover_shear_modulus", $c975b], ["cord_diameter", $c7e3d], ["cord_pitch", $c26ab], ["mass", $ce1b5]]);
 const $c2d22 = ["pulley_cover", "carry_cover", "carcass"];
 const $c2f8b = $made(_Nothing, [], []);
 const $ca18b = ["x", "y", "diameter", "turn"];
@@ -9307,7 +9396,9 @@ const $c2316 = [0.0004, 0.035];
 const $c37c2 = [0.0004, 0.03];
 const $c27e6 = [0.0015, 0.06];
 const $cc3eb = [300000.0, 5000000.0];
-const $c3e28 = new Map([["momentary_factor", $c347b], ["in_plane_shear_stiffness", $c7675], ["pulley_cover", $c7efb], ["carry_cover", $c2316], ["carcass", $c37c2], ["thickness", $c27e6], ["cover_shear_modulus", $cc3eb]]);
+const $c449b = [0.0015, 0.02];
+const $c2abf = [0.004, 0.04];
+const $c3e28 = new Map([["momentary_factor", $c347b], ["in_plane_shear_stiffness", $c7675], ["pulley_cover", $c7efb], ["carry_cover", $c2316], ["carcass", $c37c2], ["thickness", $c27e6], ["cover_shear_modulus", $cc3eb], ["cord_diameter", $c449b], ["cord_pitch", $c2abf]]);
 const $c5677 = [0.2, 8.0];
 const $c7e9b = new Map([["sheave_ratio", $c5677]]);
 const $c74b3 = [0.1, 0.9];
@@ -9398,27 +9489,28 @@ const $c660d = ["belt_mass", "carry_idler_mass", "return_idler_mass"];
 const $cc8f7 = $made(Limit, $cf70d, ["speed", 0.0, Infinity, true, false]);
 const $cfa18 = $made(Limit, $cf70d, ["number", 0.01, 100.0, false, false]);
 const $ccebb = new Map([["length", $c2266], ["lift", $c82e7], ["belt_mass", $c54af], ["carry_idler_mass", $ca8cb], ["return_idler_mass", $c207a], ["material_mass", $c54af], ["capacity", $ccbd2], ["friction_factor", $c3430], ["length_coefficient", $cec54], ["secondary_resistance", $c4489], ["special_resistance", $c4489], ["return_share", $cb01c], ["start_factor", $c3524], ["start_time", $c267d], ["stop_time", $c267d], ["take_up_tension", $cc768], ["counterweight", $c5869], ["take_up_distance", $cb6bd], ["speed", $cc8f7], ["sheave_ratio", $cfa18]]);
-const $c5c49 = [0.2, 4.0];
-const $cad33 = [100000.0, 1000000000.0];
-const $c6fd8 = [0.05, 15.0];
-const $cc6ce = [0.15, 3.0];
-const $cc9f1 = [0.17453292519943295, 4.71238898038469];
-const $c56f7 = [2.0943951023931953, 4.71238898038469];
-const $c77ea = [0.0005, 0.061];
-const $c0e11 = [-0.002, 0.002];
-const $cbcdc = [0.0, 0.06];
-const $c8f95 = [100000.0, 50000000.0];
-const $ca8ed = [100000.0, 5000000000.0];
-const $c0e79 = [5000.0, 2000000.0];
-const $c012e = [10000.0, 50000000.0];
-const $c4ce4 = [50000.0, 10000000.0];
-const $c0042 = [0.1, 3.0];
-const $c453e = [500.0, 10000000.0];
-const $c9636 = [4.0, 20.0];
-const $cbee8 = [15.0, 1000.0];
-const $cbd48 = [0.0, 1600000.0];
-const $c0160 = [1.0, 130.0];
-const $c7198 = [$c5c49, $cad33, $c6fd8, $cc6ce, $cc9f1, $c56f7, $c77ea, $c0e11, $cbcdc, $c8f95, $ca8ed, $c0e79, $c012e, $c012e, $c4ce4, $c0042, $c453e, $c9636, $cbee8, $cbd48, $c453e, $c453e, $cf220, $c0160];
+const $ca926 = [0.2, 4.0];
+const $c3603 = [100000.0, 1000000000.0];
+const $c788a = [0.05, 15.0];
+const $cfb28 = [0.15, 3.0];
+const $cf8a3 = [0.17453292519943295, 4.71238898038469];
+const $cd717 = [2.0943951023931953, 4.71238898038469];
+const $c6630 = [0.0005, 0.061];
+const $c7599 = [-0.002, 0.002];
+const $c8e40 = [0.0, 0.06];
+const $cba68 = [100000.0, 50000000.0];
+const $c850d = [100000.0, 5000000000.0];
+const $c99dc = [5000.0, 2000000.0];
+const $cdf7a = [10000.0, 50000000.0];
+const $cc043 = [50000.0, 10000000.0];
+const $cfa622 = [0.1, 3.0];
+const $c8474 = [500.0, 10000000.0];
+const $cbfa0 = [4.0, 20.0];
+const $ca770 = [15.0, 1000.0];
+const $c5622 = [0.0, 1600000.0];
+const $cb0f8 = [250.0, 20000000.0];
+const $cf359 = [1.0, 130.0];
+const $c39c4 = [$ca926, $c3603, $c788a, $cfb28, $cf8a3, $cd717, $c6630, $c7599, $c8e40, $cba68, $c850d, $c99dc, $cdf7a, $cdf7a, $cc043, $cfa622, $c8474, $cbfa0, $ca770, $c5622, $c8474, $c8474, $cb0f8, $cf359];
 const $caee2 = [500.0, 2000000.0];
 const $cde5a4 = ["least tested pressure", "pressure", $caee2];
 const $c6f50 = [10000.0, 10000000.0];
@@ -9517,7 +9609,7 @@ const $c5af9 = new Set(["cover_creep", "creep", "creep_interval", "design_standa
 const $c09e2 = new Set(["belt_safety", "belt_tension", "edge_tension", "face_pressure", "momentary_tension", "tested_pressure_max", "uneven_face_pressure", "uneven_pressure"]);
 const $c3879 = new Map([["uneven_creep", "creep"], ["uneven_pressure", "tested_pressure_max"], ["uneven_face_pressure", "face_pressure"], ["uneven_bond_stress", "bond_stress"], ["uneven_fatigue_stress", "fatigue_stress"], ["edge_tension", "belt_tension"]]);
 const $c75f4 = $made(Rule, $cfe5e, ["taut", "a belt that nowhere hangs slack", "ATTENTION", NaN, NaN, false, "number", "", true, null, "", null, null, null, null, null, null]);
-const $c13e8 = $made(Rule, $cfe5e, ["belt_thickness", "a trim without the thickness of the belt", "ATTENTION", NaN, NaN, true, "number", "", true, null, "", null, null, null, null, null, null]);
+const $c13e8 = $made(Rule, $cfe5e, ["belt_thickness", "a trim without the thickness of the belt", "ATTENTION", NaN, NaN, true, "number", "", false, null, "", null, null, null, null, null, null]);
 const $c9629 = $made(Rule, $cfe5e, ["usual_sizes", "an unusual size", "ATTENTION", NaN, NaN, true, "number", "", false, null, "", null, null, null, null, null, null]);
 const $c376b = $made(Rule, $cfe5e, ["motor_heat", "the heat that a motor bears", "ATTENTION", NaN, NaN, true, "time", "", true, null, "", null, null, null, null, null, null]);
 const $c1dc5 = new Map([["gross_slip", $c84c4], ["design_standard", $c960d], ["creep", $cc27f], ["cover_creep", $c8a85], ["creep_interval", $cef26], ["wet_creep", $c2e75], ["belt_tension", $c8994], ["momentary_tension", $c5c30], ["belt_safety", $c25bf], ["face_pressure", $c72eb], ["bond_stress", $ce298], ["fatigue_stress", $cb3d1], ["tested_pressure_max", $cc16f], ["tested_pressure_min", $cfecd], ["condition", $cabd6], ["fit", $c3f6d], ["tested_slip", $c5a91], ["tested_slip_speed", $c5d85], ["balance", $c0d6e], ["sag", $c8634], ["taut", $c75f4], ["pulley_diameter", $ca865], ["belt_thickness", $c13e8], ["usual_sizes", $c9629], ["motor_load", $c0dbc], ["momentary_load", $c58a5], ["motor_heat", $c376b], ["train_balance", $cb138]]);
@@ -9577,6 +9669,7 @@ const $ca1a4 = new RunsGain(0.0, 0.0);
 const $cde36 = $made(Provenance, $c535d, ["given", "", "", "belt_mass of [conveyor]"]);
 const $cf273 = ["effective_tension", "torque", "power"];
 const $c3ab3 = ["share", "speeds", "motor"];
+const $c6b61 = new Growth(1.0, 0.0);
 const $c1dc7 = ["data", "belt_mass", "sense"];
 const $c13db = new Map([["NOT CHECKED", 0], ["OK", 1], ["ATTENTION", 2], ["FAILS", 3], ["FAULT OF THE PROGRAM", 4]]);
 const $ce5b4 = $Decimal.of("0");
@@ -9755,6 +9848,7 @@ TrainCase.$compared = TrainCase.$names;
 TrainCase.LIMITS = TrainCase.prototype.LIMITS = $ce600;
 RunsGain.$compared = RunsGain.$names;
 BehindTakeUp.$compared = BehindTakeUp.$names;
+Growth.$compared = Growth.$names;
 Description.$compared = Description.$names;
 CompactLaw.$compared = CompactLaw.$names;
 TakeUp.$compared = TakeUp.$names;
@@ -9768,7 +9862,7 @@ $sig(tables$Table, null);
 $sig(tables$Table.prototype.built, ["value", "report"], true);
 Limit.$compared = Limit.$names;
 Belt.$compared = Belt.$names;
-Belt.LIMITS = Belt.prototype.LIMITS = $ca32a;
+Belt.LIMITS = Belt.prototype.LIMITS = $c2a894;
 Across.$compared = Across.$names;
 Across.LIMITS = Across.prototype.LIMITS = $cf7bc;
 DimensionText.$compared = DimensionText.$names;
