@@ -239,3 +239,13 @@ def test_random_drives_keep_the_loss_identity() -> None:
             result = QUICK.solve(random_arc(law, rng))
             if result.status is Status.SOLVED:
                 assert result.energy.identity_error < 5e-5
+
+
+@pytest.mark.parametrize("ratio", [1.5, 600.0])
+def test_a_scalar_is_that_of_all(ratio: float) -> None:
+    result = Distributed().solve(replace(ARC, exit_tension=ARC.entry_tension / ratio))
+    assert (result.status is Status.BREAKAWAY) == (ratio > 100.0)
+    for name, value in result.scalars().items():
+        assert result.scalar(name) == pytest.approx(value, rel=0.0, nan_ok=True), name
+    with pytest.raises(KeyError):
+        result.scalar("no such result")

@@ -4,6 +4,7 @@ Expected values: the columns that were written.
 """
 
 import io
+from dataclasses import replace
 from itertools import permutations, product
 
 import numpy as np
@@ -11,7 +12,9 @@ import pytest
 
 from machine_tables.asked import problems
 from wraparc.errors import InputError
+from wraparc.machine_tables import find_tables
 from wraparc.shear_test import Choices, read_machine_bytes, read_machine_tests
+from wraparc.shear_test.one_test import one_run
 
 ROWS = 40
 TIME = np.arange(ROWS) * 0.5
@@ -191,3 +194,11 @@ def test_all_tests_side_by_side_are_read(tmp_path) -> None:  # type: ignore[no-u
     path = tmp_path / "two.csv"
     path.write_text("\n".join(lines))
     assert [len(record.travel) for record in read_machine_tests(path)] == [30, 80]
+
+
+def test_a_best_table_without_a_head_stands_alone_beside_others_that_have_one() -> None:
+    """Such a table is like each that has a head and not like itself, which a mutated file found."""
+    data = head("en", (0, 1, 2), "units below", "none")
+    (table,) = find_tables(data, "run.csv").tables
+    best = replace(table, header=())
+    assert one_run([table, best, replace(table)], best) == [best]

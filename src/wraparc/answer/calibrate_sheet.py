@@ -10,7 +10,7 @@ from wraparc.answer.sheet import Row, Sheet, Table, Verdict, named, percent, qua
 from wraparc.arc import ArcResult
 from wraparc.calibrate.calibration import FAR, Calibration, Estimate, Number, Problemset
 from wraparc.calibrate.fold import Folded
-from wraparc.calibrate.problem import OPEN_ZERO, tachometer_ratio
+from wraparc.calibrate.problem import OPEN_ZERO, predicted_number
 from wraparc.checks import Level
 from wraparc.checks.of_arc import COVER_UNKNOWN
 from wraparc.glossary import GLOSSARY
@@ -312,9 +312,7 @@ def overlay_sheet(
         if n.tensions is not None:
             continue  # no load case of the drive
         results = predicted[n.load_case]
-        values = [float(r.scalars()[n.quantity]) for r in results]
-        if n.apparent:
-            values = [tachometer_ratio(r, n.nip) for r in results]
+        values = [predicted_number(r, n) for r in results]
         texts = [_value(n, v) for v in (n.value, *values)]
         rows.append(Row(_title(n, problem), tuple(texts)))
     for t in problem.traces:

@@ -74,7 +74,7 @@ def value_text(found: Sought, value: float) -> str:
 
 
 def _result(found: Sought, drive: DriveResult) -> float:
-    return float(drive.arc(found.pulley, found.load_case).scalars()[found.result])
+    return drive.arc(found.pulley, found.load_case).scalar(found.result)
 
 
 def seek_document(found: Sought) -> dict[str, Any]:

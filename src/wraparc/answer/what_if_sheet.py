@@ -104,7 +104,7 @@ def _standards(wholes: Sequence[Whole]) -> Iterator[Row]:
 def _value(result: ArcResult, name: str) -> float:
     if not result.status.solved and name in _FAILED:
         return math.nan
-    return float(result.scalars()[name])
+    return result.scalar(name)
 
 
 def _missed(found: WhatIf, whole: Whole) -> Iterator[str]:

@@ -26,7 +26,7 @@ class _Capacities(Protocol):
 
 
 class SolvedArc(Protocol):
-    """The part of an `ArcResult` that its grip needs: that asks for its safety here."""
+    """The part of an `ArcResult` that its grip needs; the result takes its safety from here."""
 
     @property
     def arc(self) -> WrapArc:

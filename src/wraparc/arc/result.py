@@ -23,6 +23,8 @@ from wraparc.drive.pull import idles
 from wraparc.views import Viewable
 
 nan = math.nan
+#: Names of the ends of the interval of the creep.
+_INTERVAL = ("exit_creep_low", "exit_creep_high")
 
 
 #: What helps a drive that slips, at the end of what else does.
@@ -330,6 +332,15 @@ class ArcResult(Viewable):
         """Whether the magnitude of the exit creep is within the creep limit."""
         return self.status.solved and abs(self.exit_creep) <= self.arc.creep_limit
 
+    def scalar(self, name: str) -> float:
+        """Return one of `scalars` [SI], without the others: some are a search of their own."""
+        if name in _INTERVAL:
+            return self.creep_interval[_INTERVAL.index(name)]
+        for part in (self, self.capacities, self.energy):
+            if hasattr(part, name):
+                return float(getattr(part, name))
+        raise KeyError(name)
+
     def scalars(self) -> dict[str, float]:
         """Every reported number by its name in the glossary [SI]."""
         named = {
@@ -341,7 +352,7 @@ class ArcResult(Viewable):
         named["effective_tension"] = self.effective_tension
         named["k_factor"] = self.k_factor
         named["gross_slip_safety"] = self.gross_slip_safety
-        named["exit_creep_low"], named["exit_creep_high"] = self.creep_interval
+        named.update(zip(_INTERVAL, self.creep_interval, strict=True))
         for part in (self.capacities, self.energy):
             named.update({f.name: getattr(part, f.name) for f in fields(part)})
         return named

@@ -35,7 +35,7 @@ from wraparc.batch.scaled import Unscaled, solve_scaled
 from wraparc.batch.setting import Setting
 from wraparc.batch.solve import CHUNK
 from wraparc.batch.traction import Laws
-from wraparc.drive.pull import IDLE
+from wraparc.drive.pull import idle_rows
 
 #: Last step over the place, over the accuracy of the arcs.
 _NEAR = 10.0  # the last step of a secant leaves its square
@@ -214,7 +214,7 @@ def _slides_of(solved: BatchResult) -> tuple[Array, Codes]:
     """Work out `slides_of`."""
     arcs, status, n = solved.arcs, solved["status"], len(solved.arcs)
     one, entry, leaving = np.ones(n), arcs.entry_tension, arcs.exit_tension
-    idle = (np.abs(entry - leaving) <= IDLE * entry) & (status == SOLVED)
+    idle = idle_rows(entry, leaving) & (status == SOLVED)
     factor, cause = np.full(n, np.nan), np.full(n, CREEP, dtype=np.int8)
     factor[idle] = np.inf
     friction, slip = (

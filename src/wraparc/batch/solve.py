@@ -18,7 +18,7 @@ from wraparc.batch.result import BatchResult
 from wraparc.batch.rows import solve_rows
 from wraparc.batch.setting import Setting
 from wraparc.drive import Lagging
-from wraparc.drive.usual_sizes import OF_COLUMNS, OVER_WIDTH, USUAL_SIZES
+from wraparc.drive.usual_sizes import OF_COLUMNS, OVER_WIDTH, USUAL_SIZES, unusual_rows
 from wraparc.errors import InputError, Problem
 from wraparc.glossary import GLOSSARY
 from wraparc.units import display
@@ -88,22 +88,18 @@ def _implausible(table: Mapping[str, Any], width: Array) -> Iterator[str]:
     """Yield a sentence for every column of sizes that no drive has."""
     narrow, wide = USUAL_SIZES[OF_COLUMNS["belt_width"]]
     width = np.where((width < narrow) | (width > wide), 1.0, width)  # told of itself
-    for name, place in OF_COLUMNS.items():
-        if name not in table:
-            continue
-        least, most = USUAL_SIZES[place]
+    for name in (name for name in OF_COLUMNS if name in table):
+        ends = USUAL_SIZES[OF_COLUMNS[name]]
         scale = width if name in OVER_WIDTH else np.ones_like(width)
         values = np.broadcast_to(np.asarray(table[name], dtype=float), width.shape)
-        over = values / scale
-        rows = np.flatnonzero((over < least) | ((over > most) & np.isfinite(over)))
+        low, high = unusual_rows(values / scale, ends)
+        rows = np.flatnonzero(low | high)
         if len(rows):
             first, dimension = rows[0], GLOSSARY[name].dimension
-            value, ends = (
-                " to ".join(display(float(v * scale[first]), dimension) for v in some)
-                for some in ((values[first] / scale[first],), (least, most))
-            )
+            value = display(float(values[first]), dimension)
+            least, most = (display(float(end * scale[first]), dimension) for end in ends)
             count = f"{len(rows)} of {len(width)} rows" if len(width) > 1 else "this row"
-            yield f"{name}: {value} in {count}, usual are {ends}. Give it in SI units."
+            yield f"{name}: {value} in {count}, usual are {least} to {most}. Give it in SI units."
 
 
 def solve_arcs(

@@ -19,7 +19,7 @@ from wraparc.calibrate.problem import (
     arc_of,
     calibrated_drive,
     offset_by,
-    tachometer_ratio,
+    predicted_number,
     value_of,
     variable_of,
 )
@@ -82,9 +82,7 @@ class Fit:
         numbers = []
         for n in p.numbers:
             result, far = results[n.state], beyond[n.state]
-            value = float(result.scalars()[n.quantity])
-            if n.apparent:
-                value = tachometer_ratio(result, n.nip, zero)
+            value = predicted_number(result, n, zero)
             numbers.append(n.value + far * max(abs(n.value), n.sd) if far else value)
         traces = []
         for t in p.traces:

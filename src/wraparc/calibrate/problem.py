@@ -305,6 +305,13 @@ def tachometer_ratio(result: ArcResult, nip: Nip, zero: float = 1.0) -> float:
     return 1.0 - zero * speed_over_shaft(result.arc, result.entry_creep_ratio, nip)
 
 
+def predicted_number(result: ArcResult, number: Number, zero: float = 1.0) -> float:
+    """Return what an arc predicts of a measured number; `zero` as of `tachometer_ratio` [SI]."""
+    if number.apparent:
+        return tachometer_ratio(result, number.nip, zero)
+    return result.scalar(number.quantity)
+
+
 def offset_by(arc: WrapArc, creep_ratio: float, zero: Number) -> float:
     """Return the offset e that a zero record shows [m].
 

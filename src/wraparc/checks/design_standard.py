@@ -1,4 +1,4 @@
-"""The slack-side tension that a design standard asks for."""
+"""The slack-side tension that a design standard requires."""
 
 from __future__ import annotations
 

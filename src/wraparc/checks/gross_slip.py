@@ -29,7 +29,7 @@ def rises(arcs: Sequence[WrapArc], index: int, take_up: TakeUp) -> Rise:
         What is held.
     """
     pulls, names = [arc.effective_tension for arc in arcs], [arc.pulley for arc in arcs]
-    after = names.index(take_up.after) if take_up.after else -1
+    after = take_up.place_among(names)
     return Rise(*map(float, rise_among(pulls, index, take_up.fixed, after)))
 
 

@@ -23,11 +23,12 @@ from wraparc.checks.of_arc import (
     GROSS_SLIP,
     TESTED_SLIP,
 )
-from wraparc.checks.of_rows import Held, idle_rows
+from wraparc.checks.of_rows import Held
 from wraparc.checks.of_wet import WET_CREEP
 from wraparc.checks.rule import Rule
 from wraparc.checks.rules import OF_PULLEY
 from wraparc.drive import Lagging
+from wraparc.drive.pull import idle_rows
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,7 +41,7 @@ class RowFigure:
         The check.
     rise
         By how much all tensions rise until it is just kept [N]: infinite where no tension keeps
-        it, nan where it asks for nothing.
+        it, nan where it requires nothing.
     binding
         Whether each drive must keep it.
     at_least
@@ -143,7 +144,7 @@ def _by_interval(arcs: Arcs, laggings: Sequence[Lagging], least: Array) -> Array
 
 
 def _by_standard(held: Held) -> Array:
-    """Return what the design standard asks for: where it cannot be applied, only if it binds."""
+    """Return what the design standard requires: where it cannot be applied, only if it binds."""
     never = np.isinf(held.standard) & ~held.firm[DESIGN_STANDARD.name]
     return np.where(never, math.nan, held.standard)
 

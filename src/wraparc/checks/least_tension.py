@@ -98,7 +98,7 @@ class LeastTension:
 
     @cached_property
     def governing(self) -> Figure:
-        """The check that asks for most."""
+        """The check that requires most."""
         return largest(self.required, _tension)
 
     @property
@@ -131,7 +131,7 @@ class LeastTension:
 
     @property
     def standard(self) -> Figure | None:
-        """What the design standard asks for, if one does."""
+        """What the design standard requires, if one does."""
         return next((f for f in self.figures if f.name == "design_standard"), None)
 
 
@@ -145,7 +145,7 @@ _found: WeakKeyDictionary[DriveResult, LeastTension | None] = WeakKeyDictionary(
 def least_tension(result: DriveResult | TrainResult) -> LeastTension | None:
     """Return the least slack-side tension of a solved drive or train.
 
-    It is never less than what any binding check asks for: creep, slip and wrap pressures within
+    It is never less than what any binding check requires: creep, slip and wrap pressures within
     the tests, sag, the safety factor on gross slip, a design standard made binding. Nor than what
     the design standard, the cover of the belt in series, the interval of a fitted law or the
     estimate of wet ask for, where a tension that no check forbids keeps them.
@@ -166,7 +166,7 @@ def least_tension(result: DriveResult | TrainResult) -> LeastTension | None:
 def figures(result: DriveResult, drive: Drive) -> Iterator[Figure]:
     """Yield what every check asks of the take-up of a drive, on every pulley in every load case.
 
-    It stands at one place and holds one tension: what a load case asks for is what it has there,
+    It stands at one place and holds one tension: what a load case requires is what it has there,
     and what its slack side lacks.
     """
     for name, arcs in _by_case(result).items():
@@ -235,9 +235,9 @@ def _figures(
 
 
 def _of_tension(rule: Rule, of: Spot, end: float) -> Iterator[Figure]:
-    """Yield what a check of a tension, or of its pressure, asks for: all of them rise alike.
+    """Yield what a check of a tension, or of its pressure, requires: all of them rise alike.
 
-    The safety factor of a belt, its tension the other way round, asks for what its rating does.
+    The safety factor of a belt, its tension the other way round, requires what its rating does.
     """
     words = rule.words and rule.words(of)
     if not is_of_tension(rule) or words is None or words.missing:
@@ -265,7 +265,7 @@ def _standard(of: Spot, offset: float) -> Iterator[Figure]:
 
 
 def _slip(result: ArcResult, offset: float, place: Place) -> Iterator[Figure]:
-    """Yield what the tested slip asks for; slip is never more than creep, so mostly nothing."""
+    """Yield what the tested slip requires; slip is never more than creep, so mostly nothing."""
     tested = result.arc.law.tested
     if tested is not None and tested.slip_max < result.arc.creep_limit:
         least = least_with_slip(result, tested.slip_max)
@@ -366,7 +366,7 @@ def _pull_of(arc: WrapArc) -> Pull:
 def _gross_slip(
     drive: Drive, case: LoadCase, arcs: Sequence[ArcResult], index: int, end: float
 ) -> Figure:
-    """Return what the safety factor on gross slip asks for, with what the take-up holds."""
+    """Return what the safety factor on gross slip requires, with what the take-up holds."""
     arc, factor = arcs[index].arc, drive.criteria.safety.of(case.kind)
     rise = rises([r.arc for r in arcs], index, drive.criteria.take_up)
     raised = lift(arcs[index], factor, rise.tight)

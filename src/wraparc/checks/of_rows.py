@@ -39,8 +39,8 @@ from wraparc.drive import Drive
 from wraparc.drive.belt_mass import masses_at
 from wraparc.drive.changes import WORN
 from wraparc.drive.conditions import SCALED
-from wraparc.drive.pull import IDLE, given_up, rises_of
-from wraparc.drive.usual_sizes import USUAL_SIZES
+from wraparc.drive.pull import given_up, idle_rows, rises_of
+from wraparc.drive.usual_sizes import USUAL_SIZES, unusual_rows
 
 #: Words of a verdict by its code; a row that is no drive at all is not checked.
 LEVELS = tuple(Level)
@@ -79,6 +79,11 @@ class RowCheck:
     value: Array
     limit: Array
 
+    def is_worse(self, rank: Array | Codes, margin: Array) -> Flags:
+        """Return where it governs over a check of that rank and margin."""
+        alike = (self.rank == rank) & (self.rank > 0)
+        return np.asarray((self.rank > rank) | (alike & (self.margin < margin)))
+
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Held:
@@ -100,7 +105,7 @@ class Held:
     tight_rise, slack_rise
         How the tensions grow with the pull of the whole drive, see `rises` [N].
     standard
-        Slack-side tension that the design standard asks for [N]; infinite where a chosen one
+        Slack-side tension that the design standard requires [N]; infinite where a chosen one
         cannot be applied.
     wet_factor
         Friction over dry friction for the estimate when wet, nan if not known, 0 for no estimate
@@ -188,6 +193,8 @@ class Held:
 
     def limit(self, rule: Rule) -> Array:
         """Return the limit of a check that needs no solution, nan where it has none [SI]."""
+        if rule is GROSS_SLIP:
+            return self.safety
         none = np.full(len(self.safety), math.nan)
         return rule.limited(self.allowed.get(rule.name, none), self.state)
 
@@ -401,7 +408,7 @@ def worst_of_rows(
     least = np.full(n, math.inf)
     for check in row_checks(solved, held, factors, setting):
         ranks, margins = check.rank, check.margin
-        worse = (ranks > level) | ((ranks == level) & (ranks > 0) & (margins < least))
+        worse = check.is_worse(level, least)
         worse |= (ranks > 0) & (governing == 0)
         level = np.where(worse, ranks, level).astype(np.int8)
         least = np.where(worse, margins, least)
@@ -505,11 +512,6 @@ def _covered_creep(
     return found
 
 
-def idle_rows(entry: Array, leaving: Array) -> Flags:
-    """Return which arcs transmit no tension."""
-    return np.asarray(np.abs(entry - leaving) <= IDLE * entry)
-
-
 def kept_rows(value: Array, limit: Array, *, at_most: bool) -> Flags:
     """Return which values keep their limits, compared in four digits as `keeps` does."""
     return _kept(value, limit, at_most)[0]
@@ -557,7 +559,7 @@ def _usual_sizes(held: Held) -> tuple[Array, Array]:
     ranks, margins = np.where(np.isfinite(held.odd), missed, Level.OK.rank), held.odd
     values: list[Any] = compared_sizes(held.sizes)
     for value, (least, most) in zip(values, USUAL_SIZES, strict=True):
-        low, high = value < least, (value > most) & np.isfinite(value)
+        low, high = unusual_rows(value, (least, most))
         with np.errstate(divide="ignore", invalid="ignore"):
             under = np.where(low, margin_to(value, least, at_most=False), math.inf)
             found = np.where(high, margin_to(value, most, at_most=True), under)

@@ -97,9 +97,7 @@ class Standing:
 
     def with_worse(self, of: RowCheck, counts: Flags, where: int) -> Standing:
         """Return the worse of this and of the same check at another place."""
-        worse = (of.rank > self.rank) | (
-            (of.rank == self.rank) & (of.rank > 0) & (of.margin < self.margin)
-        )
+        worse = of.is_worse(self.rank, self.margin)
         return replace(
             self,
             rank=np.where(worse, of.rank, self.rank),
@@ -128,7 +126,7 @@ class Judged:
     standings
         By name of the check.
     creep, bond_stress
-        Worst of the pulley [m] and [Pa], shape (n,); nan where it breaks away.
+        Worst of the pulley [m] and [Pa], shape (n,); nan in gross slip.
     of_costs
         ``power_loss`` and ``frictional_energy`` of the pulley in the first condition by load case.
     """

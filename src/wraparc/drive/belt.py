@@ -147,8 +147,7 @@ class Belt:
 
     def _layer_problems(self) -> list[Problem]:
         """Return what is wrong with the layers together."""
-        of = {"pulley_cover": self.pulley_cover, "carry_cover": self.carry_cover}
-        of["carcass"] = self.cord
+        of = {key: getattr(self, key) for key in LAYERS} | {"carcass": self.cord}
         given = {key: value for key, value in of.items() if value is not None}
         total, whole = sum(given.values()), self.thickness
         short, key, remedy = total <= MOST_THICKNESS, THICKNESS, ""

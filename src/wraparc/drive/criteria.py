@@ -75,6 +75,10 @@ class TakeUp:
             problems.append(Problem(key="after", value=given, message=message, remedy=remedy))
         raise_all(problems)
 
+    def place_among(self, pulleys: Sequence[str]) -> int:
+        """Return the index of the pulley it stands behind, -1 where it stands behind none."""
+        return pulleys.index(self.after) if self.after else -1
+
     def place_problems(self, pulleys: Sequence[str]) -> list[Problem]:
         """Return a problem if it stands behind a pulley that is none of these."""
         if not self.after or self.after in pulleys:

@@ -119,10 +119,11 @@ def sheared_cover(belt: Belt, side: Side) -> float:
     The cover that touches the pulley, and what the rubber between steel cords adds to it where
     their pitch is known: see `sheared_thickness`.
     """
-    cover = touching_cover(layers_of(belt), side == "carry")
+    of = layers_of(belt)
+    cover = touching_cover(of, side == "carry")
     if belt.cord_pitch is None or isnan(cover):
         return cover
-    return sheared_thickness(cover, layers_of(belt).carcass, belt.cord_pitch)
+    return sheared_thickness(cover, of.carcass, belt.cord_pitch)
 
 
 def cover_compliance(belt: Belt, side: Side) -> float:

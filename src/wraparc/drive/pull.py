@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from wraparc.arrays import Array
+from wraparc.arrays import Array, Flags
 from wraparc.drive.criteria import TakeUp
 from wraparc.drive.drive import Drive
 from wraparc.drive.load_case import LoadCase
@@ -20,6 +20,11 @@ IDLE = 1e-6
 def idles(entry: float, leaving: float) -> bool:
     """Whether an arc hands nothing over: its pulley is not driven."""
     return abs(entry - leaving) <= IDLE * entry
+
+
+def idle_rows(entry: Array, leaving: Array) -> Flags:
+    """Return `idles` of many arcs, as flags of the same shape."""
+    return np.asarray(np.abs(entry - leaving) <= IDLE * entry)
 
 
 class Growth(NamedTuple):
@@ -48,9 +53,9 @@ def growth_among(pulls: Sequence[float], index: int, fixed: bool, after: int) ->
 def growth_in(drive: Drive, case: LoadCase, pulley: Pulley) -> Growth:
     """Return how the tensions of a pulley grow in a load case, by what the take-up holds."""
     names, take_up = [p.name for p in drive.pulleys], drive.criteria.take_up
-    after = names.index(take_up.after) if take_up.after else -1
     pulls = [case.tensions[name].effective for name in names]
-    return growth_among(pulls, names.index(pulley.name), take_up.fixed, after)
+    index = names.index(pulley.name)
+    return growth_among(pulls, index, take_up.fixed, take_up.place_among(names))
 
 
 def rise_among(pulls: Sequence[float], index: int, fixed: bool, after: int) -> tuple[float, float]:
@@ -87,7 +92,7 @@ def given_up(pulls: Array, names: Sequence[str], take_up: TakeUp) -> Array:
     if not take_up.after:
         return np.zeros(len(total))
     # what the belt there would grow by
-    after = names.index(take_up.after) + 1
+    after = take_up.place_among(names) + 1
     lost = np.where(total >= 0.0, pulls[after:].sum(axis=0), -pulls[:after].sum(axis=0))
     return np.asarray(lost)
 

@@ -2,6 +2,10 @@
 
 from math import pi
 
+import numpy as np
+
+from wraparc.arrays import Array, Flags
+
 #: Tensions that the belt of a conveyor has, over its width: from a light belt that just does not
 #: sag to the strength of the strongest steel cord [N/m].
 USUAL_TENSION = (0.5e3, 1e7)
@@ -45,3 +49,9 @@ OF_COLUMNS = {
 }  # fmt: skip
 #: Those that stand in the table over the width of the belt.
 OVER_WIDTH = ("entry_tension", "exit_tension")
+
+
+def unusual_rows(values: Array, ends: tuple[float, float]) -> tuple[Flags, Flags]:
+    """Return which of many sizes are below and which above usual ends; nan and inf are neither."""
+    least, most = ends
+    return np.asarray(values < least), np.asarray((values > most) & np.isfinite(values))

@@ -80,5 +80,5 @@ def _number(result: ArcResult, name: str) -> str:
     elif not result.status.solved and name != "creep_limit_margin":
         return NONE
     else:
-        value = result.scalars()[name]
+        value = result.scalar(name)
     return number(name, value)

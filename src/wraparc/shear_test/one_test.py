@@ -45,7 +45,8 @@ def one_run(tables: Sequence[RawTable], best: RawTable) -> list[RawTable]:
 
     Heads and units agree, and time or travel runs on from each to the next.
     """
-    same = [table for table in tables if alike(table, best)]
+    # without a head the best is like those that have one, and not like itself
+    same = [table for table in tables if table is best or alike(table, best)]
     if len(same) < 2:
         return [best]
     style = _style(same)

@@ -23,7 +23,7 @@ LIMITED: dict[str, tuple[Rule, ...]] = {
     "gross_slip_safety": (GROSS_SLIP,),
 }
 #: Those of `LIMITED` whose limit is a lower one.
-LOWER = frozenset({"gross_slip_safety"})
+LOWER = frozenset(name for name, rules in LIMITED.items() if not rules[0].at_most)
 #: Results whose limit is the same for every row, a lower one.
 LEAST = {"creep_limit_margin": 1.0, "tested_slip_margin": 1.0}
 _FEWEST, _MOST = 8, 30  # bars

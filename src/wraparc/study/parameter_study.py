@@ -16,7 +16,7 @@ from wraparc.arrays import Array, Codes, Flags, Integers
 from wraparc.batch import Setting
 from wraparc.batch.arcs import Arcs, present
 from wraparc.batch.scaled import solve_scaled
-from wraparc.checks.of_arc import GROSS_SLIP, NO_GRIP
+from wraparc.checks.of_arc import NO_GRIP
 from wraparc.checks.of_rows import LEVELS, NAMES, Held, kept_rows, worst_of_rows
 from wraparc.drive import GRAVITY, Drive
 from wraparc.drive.conditions import DRY
@@ -291,10 +291,7 @@ class Study:
             columns[name] = np.full(size, np.nan)
             columns[name][good] = solved[name]
         for name in self.limited:
-            held = rows.held
-            limits = [
-                held.safety if rule is GROSS_SLIP else held.limit(rule) for rule in LIMITED[name]
-            ]
+            limits = [rows.held.limit(rule) for rule in LIMITED[name]]
             columns[limit_column(name)] = np.where(rows.valid, np.fmin.reduce(limits), np.nan)
         _lose(columns, rows, self.outputs)
         return columns

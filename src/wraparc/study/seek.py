@@ -162,7 +162,7 @@ def seek(document: Document, goal: Goal, *, method: Method | None = None, **wher
     def result_at(value: float) -> float:
         found = arc_at(value)
         usable = found is not None and found.status.solved
-        return float(found.scalars()[goal.result]) if found is not None and usable else math.nan
+        return found.scalar(goal.result) if found is not None and usable else math.nan
 
     tried = _tried(*ends, now)
     results = [result_at(value) for value in tried]

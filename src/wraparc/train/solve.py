@@ -188,7 +188,7 @@ def arc_of(
 def _growths(train: Train, pairs: Sequence[Pair]) -> list[Growth]:
     """Return how the tensions of the pulleys grow with the pull of all."""
     names, take_up = [p.name for p in train.pulleys], train.criteria.take_up
-    after = names.index(take_up.after) if take_up.after else -1
+    after = take_up.place_among(names)
     pulls = [entry - exit_behind(entry, leaving) for entry, leaving in pairs]
     return [growth_among(pulls, i, take_up.fixed, after) for i in range(len(pulls))]
 

@@ -1266,7 +1266,7 @@ function gross_slip__rises(arcs, index, take_up) {
 let after, names, pulls;
 
 ([pulls, names] = [[...(function* () { for (const arc of $iter(arcs)) { yield arc.effective_tension; } })()], [...(function* () { for (const arc of $iter(arcs)) { yield arc.pulley; } })()]]);
-(after = ($truth(take_up.after) ? $m.index(names, $bound(take_up, "after")) : $neg(1)));
+(after = take_up.place_among(names));
 return new Rise(...$iter($b.map($b.float, pull__rise_among(pulls, index, $bound(take_up, "fixed"), after))));
 }
 function pull__rise_among(pulls, index, fixed, after) {
@@ -4192,12 +4192,12 @@ let pairs, runs;
 return new TrainCase(case_.name, $at(pairs, 0).entry, $at(pairs, $neg(1)).exit, new Pulls($b.tuple((function* () { for (const pair of $iter(pairs)) { yield pair.effective; } })())), ($truth($b.any(runs)) ? runs : []), case_.kind, case_.condition, case_.description);
 }
 function pull__growth_in(drive, case_, pulley) {
-let after, names, pulls, take_up;
+let index, names, pulls, take_up;
 
 ([names, take_up] = [[...(function* () { for (const p of $iter(drive.pulleys)) { yield p.name; } })()], drive.criteria.take_up]);
-(after = ($truth(take_up.after) ? $m.index(names, $bound(take_up, "after")) : $neg(1)));
 (pulls = [...(function* () { for (const name of $iter(names)) { yield $at(case_.tensions, name).effective; } })()]);
-return pull__growth_among(pulls, $m.index(names, $bound(pulley, "name")), $bound(take_up, "fixed"), after);
+(index = $m.index(names, $bound(pulley, "name")));
+return pull__growth_among(pulls, index, $bound(take_up, "fixed"), take_up.place_among(names));
 }
 function pull__growth_among(pulls, index, fixed, after) {
 let mine, slack, tight;
@@ -4227,13 +4227,14 @@ let cover, modulus;
 return ($truth($math.isnan(cover)) ? 0.0 : (cover / modulus));
 }
 function pitch__sheared_cover(belt, side) {
-let cover;
+let cover, of;
 
-(cover = pitch__touching_cover(pitch__layers_of(belt), ($eq(side, "carry"))));
+(of = pitch__layers_of(belt));
+(cover = pitch__touching_cover(of, ($eq(side, "carry"))));
 if (((belt.cord_pitch == null) || $truth($math.isnan(cover)))) {
 return cover;
 }
-return pitch__sheared_thickness(cover, $bound(pitch__layers_of(belt), "carcass"), $bound(belt, "cord_pitch"));
+return pitch__sheared_thickness(cover, $bound(of, "carcass"), $bound(belt, "cord_pitch"));
 }
 function pitch__sheared_thickness(cover, diameter, pitch) {
 let between, share;
@@ -6980,6 +6981,10 @@ $m.append(problems, new Problem(message, remedy, undefined, "after", given));
 }
 limits__raise_all(problems);
 }
+place_among(pulleys) {
+const self = this; 
+return ($truth(self.after) ? $m.index(pulleys, $bound(self, "after")) : $neg(1));
+}
 place_problems(pulleys) {
 const self = this; let given, message, remedy;
 
@@ -7266,8 +7271,7 @@ return [];
 _layer_problems() {
 const self = this; let given, key, message, of, remedy, rounding, short, total, whole;
 
-(of = $map([["pulley_cover", self.pulley_cover], ["carry_cover", self.carry_cover]]));
-$put(of, "carcass", self.cord);
+(of = $merged($map([...(function* () { for (const key of $iter($c2d22)) { yield [key, $b.getattr(self, key)]; } })()]), $map([["carcass", self.cord]])));
 (given = $map([...(function* () { for (const [key, value] of $iter($m.items(of))) { if (!((value != null))) continue; yield [key, value]; } })()]));
 ([total, whole] = [$b.sum($m.values(given)), self.thickness]);
 ([short, key, remedy] = [(total <= 0.06), "thickness", ""]);

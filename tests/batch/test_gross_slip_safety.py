@@ -1,0 +1,94 @@
+"""The safety that Python, rows and studies give, against the check of `solve`.
+
+Expected: the value of the check "Safety against gross slip" of one drive, and the closed form
+exp(mu phi) of constant friction under a lagging that does not shear.
+"""
+
+import math
+from dataclasses import replace
+from pathlib import Path
+
+import pyarrow.parquet as pq
+import pytest
+
+from checks.test_least_tension import random_drives
+from checks.test_rows import quiet, rigid
+from study.studies import FOLDER, TAKE_UP, study_of
+from wraparc import Drive, Tensions, load_drive, solve
+from wraparc.batch import Setting, solve_arcs, solve_batch
+from wraparc.checks import judge
+from wraparc.drive import Criteria, TakeUp
+from wraparc.errors import InputError
+from wraparc.files.write import drive_document
+from wraparc.study.run import run_study
+from wraparc.study.source import DriveSource
+
+OLD, NEW = "gross_slip_margin", "gross_slip_safety"
+DRIVES = random_drives(12, seed=11)
+#: Mu phi = 1.0996: T2 held it slides at 3.003 T2; T1 + T2 held at (3.003 - 1)/(3.003 + 1) of both.
+MU_PHI = 0.35 * math.pi
+
+
+def value_of_check(of: Drive) -> float:
+    """Return the safety that the check states."""
+    result = solve(of, raise_on_failure=False)
+    (check,) = (c for c in judge(result).checks if c.name == "gross_slip")
+    assert check.value is not None
+    return check.value
+
+
+def held(kind: str) -> Drive:
+    return quiet(
+        entry=45e3, leaving=20e3, lagging=rigid(0.35), criteria=Criteria(take_up=TakeUp(kind=kind))
+    )
+
+
+@pytest.mark.parametrize(
+    ("kind", "pull"),
+    [
+        ("gravity", 20e3 * math.expm1(MU_PHI)),
+        ("fixed", 65e3 * math.expm1(MU_PHI) / (math.exp(MU_PHI) + 1.0)),
+    ],
+)
+def test_the_take_up_decides_which_tension_is_held(kind: str, pull: float) -> None:
+    (arc,) = solve(held(kind), raise_on_failure=False)
+    assert arc.gross_slip_safety == pytest.approx(pull / 25e3, rel=1e-6)
+
+
+@pytest.mark.parametrize("number", range(len(DRIVES)))
+def test_python_and_rows_have_the_value_of_the_check(number: int) -> None:
+    of = DRIVES[number]
+    expected = value_of_check(of)
+    (arc,) = solve(of, raise_on_failure=False)
+    assert arc.gross_slip_safety == pytest.approx(expected, rel=1e-12)
+    assert arc.scalars()[NEW] == arc.gross_slip_safety
+    rows = DriveSource(drive_document(of), "head", ()).rows({}, 1, of.load_cases[0].name)
+    row = solve_arcs(rows.arcs, setting=Setting.PRECISE, capacities=False)
+    row = row.growing(rows.held.tight_rise, rows.held.slack_rise)
+    assert row[NEW][0] == pytest.approx(expected, rel=1e-5)
+
+
+def test_a_study_has_the_value_of_the_check(tmp_path: Path) -> None:
+    names = ["entry_tension", "exit_tension", NEW]
+    study = study_of({**TAKE_UP, "count": 3}, outputs=names, load_cases="all").study
+    run_study(study, tmp_path / "a.parquet")
+    found = pq.read_table(tmp_path / "a.parquet").to_pylist()
+    head = load_drive(Path(FOLDER) / "head-drive.toml")
+    assert len(found) == 3 * len(head.load_cases)
+    for row in found:
+        case = head.load_case(row["load_case"])
+        tensions = {"head": Tensions(entry=row["entry_tension"], exit=row["exit_tension"])}
+        of = replace(head, load_cases=(replace(case, tensions=tensions),))
+        assert row[NEW] == pytest.approx(value_of_check(of), rel=1e-4)
+
+
+def test_the_old_name_is_refused_and_the_new_one_named() -> None:
+    rows = solve_batch(
+        {"entry_tension": 160e3, "exit_tension": 60e3, "diameter": 0.8, "wrap_angle": math.pi,
+         "belt_width": 1.2, "belt_modulus": 10e6}, DRIVES[0].pulleys[0].lagging,
+    )  # fmt: skip
+    assert OLD not in rows
+    with pytest.raises(KeyError, match=NEW):
+        rows[OLD]
+    with pytest.raises(InputError, match=f"no such result. Now {NEW}"):
+        study_of(TAKE_UP, outputs=[OLD])
