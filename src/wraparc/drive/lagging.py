@@ -103,6 +103,8 @@ class Lagging(Viewable):
     block
         Blocks that the compression modulus was estimated from, or None: how it follows a worn
         thickness. It is no part of what makes two laggings equal.
+    replaced_block
+        Blocks of a preset whose compression modulus another was given for, or None: they shear on.
     provenance
         Where the lagging's numbers came from.
     sources
@@ -147,6 +149,7 @@ class Lagging(Viewable):
     factors: Factors | None = None
     condition_factors: Mapping[str, ConditionFactor] = field(default_factory=dict, hash=False)
     block: Block | None = field(default=None, compare=False)
+    replaced_block: Block | None = field(default=None, compare=False)
     provenance: Provenance = field(default_factory=Provenance)
     sources: Mapping[str, Provenance] = field(default_factory=dict, hash=False)
     notes: tuple[str, ...] = ()
@@ -163,7 +166,8 @@ class Lagging(Viewable):
     @property
     def contact_fraction(self) -> float:
         """f, part of the gross area that blocks cover, 1 without blocks [-]."""
-        return 1.0 if self.block is None else self.block.contact_fraction
+        block = self.block or self.replaced_block
+        return 1.0 if block is None else block.contact_fraction
 
     @property
     def shear_compliance(self) -> float:

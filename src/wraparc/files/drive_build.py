@@ -20,7 +20,7 @@ from wraparc.errors import InputError, Problem
 from wraparc.files.across_keys import build_across
 from wraparc.files.conditions import Conditions, at_its_place, condition_of
 from wraparc.files.drive_keys import BELT, CRITERIA, PULLEY, SAG
-from wraparc.files.lagging_build import OF_BLOCKS, SHEAR_OF_RUBBER, build_laggings
+from wraparc.files.lagging_build import build_laggings
 from wraparc.files.lagging_file import catalogue_laggings, is_path, lagging_record
 from wraparc.files.lagging_keys import LAGGING_GIVEN
 from wraparc.provenance import Provenance
@@ -35,7 +35,7 @@ _NUMBERS = {e.key for e in LAGGING_GIVEN.entries} - {
     "preset", "name", "title", "description", "surface", "notes", "sources", "provenance",
 }  # fmt: skip
 # Keys of which a table may hold one: giving it drops the others of the preset.
-_EITHER = (("compression_modulus", "block"),)
+_EITHER = (("compression_modulus", "block", "replaced_block"),)
 
 
 def build_belt(record: Record, report: Report) -> Belt | None:
@@ -189,27 +189,10 @@ class Laggings:
         values = {"name": name or owner, **values, **given}
         if base is not None:
             values |= _merged_origins(base, given)
-            if "compression_modulus" in given and "block" in base:
-                values |= _shear_of_blocks(values, base["block"].get("contact_fraction", 1.0))
+            blocks = base.get("block", base.get("replaced_block"))
+            if "compression_modulus" in given and blocks is not None:
+                values["replaced_block"] = blocks
         return Record(values, given.place, given.raw, given.faulty)
-
-
-def _shear_of_blocks(values: dict[str, Any], contact: float) -> dict[str, Any]:
-    """Return G over the gross area, and its source, where E_c replaces the blocks of a preset.
-
-    They shear on: moduli that stand with blocks are those of the rubber, see `build_laggings`.
-    """
-    key = "shear_modulus" if "shear_modulus" in values else "elastic_modulus"
-    if contact == 1.0 or key not in values:
-        return {}
-    rubber = values[key] / (1.0 if key == "shear_modulus" else 3.0)
-    of = values["sources"].get(key, values.get("provenance"))
-    note = f"estimated: {SHEAR_OF_RUBBER[key]}{OF_BLOCKS.format(contact)}"
-    source = Record({"kind": "given", **(of or {}), "note": note}, (), {})
-    return {
-        "shear_modulus": contact * rubber,
-        "sources": values["sources"] | {"shear_modulus": source},
-    }
 
 
 def _merged_origins(base: Record, given: Record) -> dict[str, Any]:
