@@ -71,8 +71,9 @@ class Lagging(Viewable):
     thickness
         Thickness h that shears [m]; 0 for a surface that does not.
     shear_modulus
-        Effective shear modulus G over the gross area [Pa]: f times that of the rubber where
-        blocks cover the fraction f of it; infinite if it does not shear.
+        Effective shear modulus G over the gross area [Pa]: f times that of the rubber, G_r, where
+        blocks cover the fraction f of it, which bear tau/f: tan(gamma) = tau/(f G_r). Infinite if
+        the lagging does not shear.
     compression_modulus
         Effective compression modulus E_c over the gross area [Pa].
     title
