@@ -199,7 +199,7 @@ def test_ten_jobs_take_the_fewest_presses(visitor: Visitor) -> None:
     undone()
     with job("which lagging"):
         page.get_by_role("button", name="Full ceramic").click()
-        expect(number).to_have_text("4.21")
+        expect(number).to_have_text("4.36")
     undone()
     with job("wet"):
         page.select_option(".rail > .pick-row .condition select", "wet")
