@@ -154,7 +154,7 @@ def test_five_questions_are_answered_by_hub_sentence_and_drawing(visitor: Visito
         "Creeps 11.4 mm, more than the limit of 6.35"
     )
     assert page.locator("svg.stage.warn .hub-number tspan").first.text_content() == "11.4"
-    expect(page.locator("#verdict .act button")).to_have_text("Use full ceramic: 6.33 mm")
+    expect(page.locator("#verdict .act button")).to_have_text("Use full ceramic: 6.55 mm")
     assert page.locator("svg.stage .band-over").get_attribute("d")
     expect(page.locator("#cases [aria-pressed=true]")).to_contain_text("start 180 %")
 

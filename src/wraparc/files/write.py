@@ -4,6 +4,7 @@ import os
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from itertools import takewhile
+from math import inf, nextafter
 from typing import Any
 
 from wraparc import catalogue
@@ -283,8 +284,10 @@ def _of_rubber(lagging: Lagging) -> Lagging:
     contact = lagging.contact_fraction
     if contact == 1.0 or _follows(lagging):
         return lagging
-    # without the last digits that the division leaves
-    sources, shear = dict(lagging.sources), float(f"{lagging.shear_modulus / contact:.14g}")
+    quotient, sources = lagging.shear_modulus / contact, dict(lagging.sources)
+    # the shortest whose product it is: a division leaves digits, and may miss by the last one
+    near = (float(f"{quotient:.14g}"), quotient, nextafter(quotient, 0.0), nextafter(quotient, inf))
+    shear = next((g for g in near if contact * g == lagging.shear_modulus), quotient)
     of = sources.pop("shear_modulus", None)
     if of is not None:
         of = replace(of, note=of.note.removeprefix(shear_note(contact)).removeprefix("; "))
