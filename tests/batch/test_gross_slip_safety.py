@@ -8,13 +8,14 @@ import math
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pyarrow.parquet as pq
 import pytest
 
 from checks.test_least_tension import random_drives
 from checks.test_rows import quiet, rigid
 from study.studies import FOLDER, TAKE_UP, study_of
-from wraparc import Drive, Tensions, load_drive, solve
+from wraparc import Drive, Tensions, load_drive, load_lagging, solve
 from wraparc.batch import Setting, solve_arcs, solve_batch
 from wraparc.checks import judge
 from wraparc.drive import Criteria, TakeUp
@@ -92,3 +93,21 @@ def test_the_old_name_is_refused_and_the_new_one_named() -> None:
         rows[OLD]
     with pytest.raises(InputError, match=f"no such result. Now {NEW}"):
         study_of(TAKE_UP, outputs=[OLD])
+
+
+def test_a_belt_that_both_sides_pull_tight_slides_far_beyond_the_tested_pressures() -> None:
+    """A brake before the take-up; at the place the slip of the arc is the tested 15 mm."""
+    lagging = replace(load_lagging("full-ceramic"), compression_modulus=math.inf)
+    table = {"entry_tension": 17.25e3, "exit_tension": 51.5e3, "diameter": 0.98, "wrap_angle": 3.65,
+             "belt_width": 0.877, "belt_modulus": 112e6}  # fmt: skip
+    row = solve_batch(table, lagging, setting=Setting.PRECISE)
+    row = row.growing(np.array([136.4e3]), np.array([102.2e3]))
+    place = float(row[NEW][0])
+    assert place == pytest.approx(10.2, abs=0.2)
+    far = table | {
+        "entry_tension": 17.25e3 + (place - 1.0) * 102.2e3,
+        "exit_tension": 51.5e3 + (place - 1.0) * 136.4e3,
+    }
+    assert abs(solve_batch(far, lagging, setting=Setting.PRECISE)["exit_slip"][0]) == pytest.approx(
+        15e-3, rel=1e-4
+    )

@@ -25,6 +25,8 @@ from wraparc.choose.file import search_from_document
 from wraparc.choose.search import Limits, Search
 from wraparc.choose.selection import Selection, choose, own_slack
 from wraparc.drive.conditions import Condition
+from wraparc.train import solve_train
+from wraparc.train.file import load_train
 
 SHIPPED = tuple(load_lagging(n) for n in ("diamond-rubber", "medium-ceramic", "full-ceramic"))
 
@@ -196,6 +198,46 @@ def test_the_only_candidate_is_told_as_solve_tells_it(
     assert solved.words.partition(" ")[2].startswith(verdict.level.value)
     for check in verdict.missed:
         assert shown(replace(check, remedy="").said, "si") in chosen.words
+
+
+MOTOR = """[train.motor.{name}]
+kind = "induction"
+rated_power = "{power} kW"
+rated_speed = "1480 rpm"
+synchronous_speed = "1500 rpm"
+gear_ratio = 20.666
+"""
+
+
+@pytest.mark.parametrize("power", [60, 110, 130])  # overloaded, by 3 % in one, enough
+def test_motors_are_judged_as_solve_judges_them(power: int, tmp_path: Path) -> None:
+    """The load of a train divides anew by its motors in what a search recommends."""
+    search = files(tmp_path, "45 kN")
+    text = (tmp_path / "drive.toml").read_text("utf-8")
+    pulley = "".join(row for row in pulley_of(text).splitlines(True) if "tension" not in row)
+    train = '[train]\nexit_tension = "45 kN"\neffective_tension = "72 kN"\n'
+    for name in ("head", "second"):
+        train += MOTOR.format(name=name, power=power)
+    pulleys = pulley + pulley.replace('"head"', '"second"')
+    (tmp_path / "drive.toml").write_text(text.replace(pulley_of(text), pulleys + train), "utf-8")
+    search.write_text(
+        'format = 1\ndrive = "drive.toml"\npulley = "head"\n[candidates]\n'
+        '[cost]\ncurrency = "AUD"\n', "utf-8",
+    )  # fmt: skip
+    chosen = wraparc("choose", search)
+    drive = load_train(tmp_path / "drive.toml")
+    verdict = judge(solve_train(drive, raise_on_failure=False))
+    assert chosen.code == (1 if verdict.level is Level.FAILS else 0)
+    assert {c.name for c in verdict.missed if "motor" in c.name} == (
+        set() if power == 130 else {"motor_load"}
+    )
+    for check in verdict.missed:
+        assert shown(replace(check, remedy="").said, "si") in chosen.words
+
+
+def pulley_of(text: str) -> str:
+    """Return the pulleys of a drive file."""
+    return text[text.index("[[pulley]]") : text.index("[design_standard]")]
 
 
 def test_the_least_tension_of_a_search_is_that_of_the_sag_of_the_drive(tmp_path: Path) -> None:

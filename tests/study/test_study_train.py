@@ -13,6 +13,7 @@ import pytest
 
 from study.studies import EXAMPLES
 from wraparc.arc import Distributed
+from wraparc.checks import judge
 from wraparc.checks.of_rows import LEVELS, NAMES
 from wraparc.errors import InputError
 from wraparc.study.file import StudyFile, study_from_document
@@ -154,3 +155,41 @@ def test_a_share_belongs_to_a_train() -> None:
                 "axis": [axis("pulley.head.share", 0.4, 0.5)]}  # fmt: skip
     with pytest.raises(InputError, match="belongs to a train"):
         study_from_document(document, folder=str(EXAMPLES / "studies"))
+
+
+@pytest.mark.parametrize(
+    "way",
+    ['share = ["50 %", "50 %"]', 'speeds = ["9 rad/s", "8.97 rad/s"]'],
+    ids=["share", "speeds"],
+)
+def test_power_goes_by_the_speed_of_the_belt_at_the_pulley(tmp_path: Path, way: str) -> None:
+    """Behind the first drum the belt is slower by its strain; drums may turn faster than 3 m/s."""
+    drive = tmp_path / "drive.toml"
+    drive.write_text(TANDEM.read_text("utf-8").replace('share = ["50 %", "50 %"]', way), "utf-8")
+    outputs = ["power_loss", "sliding_power", "transmitted_power"]
+    document = {"format": 1, "drive": "drive.toml", "pulley": "second", "outputs": outputs,
+                "setting": "precise", "axis": [axis("train.exit_tension", "40 kN")]}  # fmt: skip
+    found = study_from_document(document, folder=str(tmp_path)).study.solve(0, 1)
+    whole = solve_train(load_train(drive, overrides={"train.exit_tension": "40 kN"}))
+    told = whole.cases[0]["second"].arc.energy
+    for column in outputs:
+        assert found[column][0] == pytest.approx(getattr(told, column), rel=1e-5), column
+
+
+@pytest.mark.parametrize("pulley", ["first", "second"])
+def test_an_open_trim_is_that_of_the_drum_behind(tmp_path: Path, pulley: str) -> None:
+    """As `judge` places it: a trim is of a drum against the first one."""
+    drive = tmp_path / "drive.toml"
+    text = TANDEM.read_text("utf-8").replace('"800 mm"', '"1200 mm"', 1)
+    text = text.replace('preset = "Plylon Plus 1000/4"', 'modulus = "12 MN/m"\nkind = "fabric"')
+    dusty = 'condition = { name = "dusty", friction_factor = 0.8 }'
+    drive.write_text(f"covered = true\n{dusty}\n{text}", "utf-8")
+    document = {"format": 1, "drive": "drive.toml", "pulley": pulley,
+                "axis": [axis("belt.width", "1200 mm")]}  # fmt: skip
+    found = study_from_document(document, folder=str(tmp_path)).study.solve(0, 1)
+    verdict = judge(solve_train(load_train(drive))).at(pulley, "design")
+    open_trim = "belt_thickness" in {c.name for c in verdict.checks if c.missed}
+    assert open_trim is (pulley == "second")
+    assert verdict.governing is not None
+    assert NAMES[found["governing"][0]] == verdict.governing.name
+    assert LEVELS[found["verdict"][0]] is verdict.level

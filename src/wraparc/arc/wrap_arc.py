@@ -23,6 +23,7 @@ from wraparc.drive.pitch import (
     cover_compliance,
     pitch_offset,
     pitch_radius,
+    strain_ratio,
     whole_thickness,
 )
 from wraparc.drive.pull import ALONE, Growth, growth_in
@@ -56,6 +57,14 @@ def of_belt(belt: Belt, side: Side, law: FrictionLaw) -> OfBelt:
         belt_thickness=whole_thickness(belt),
         centrifugal=centrifugal_of(belt),
     )
+
+
+def _speed_at(drive: Drive, case: LoadCase, tension: float) -> float | None:
+    """Return the speed of the belt at a tension: that of the belt is at the first entry nip."""
+    if drive.belt.speed is None:
+        return None
+    first = case.tensions[drive.pulleys[0].name].entry
+    return drive.belt.speed * strain_ratio(tension, first, drive.belt.axial_stiffness)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -232,7 +241,7 @@ class WrapArc:
             entry_tension=tensions.entry,
             exit_tension=tensions.exit,
             creep_limit=drive.creep_limit_of(pulley),
-            belt_speed=drive.belt.speed,
+            belt_speed=_speed_at(drive, case, tensions.entry),
             fit=lagging.fit,
             growth=growth_in(drive, case, pulley),
             load_case=case.name,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
@@ -42,6 +42,26 @@ _NEAR = 10.0  # the last step of a secant leaves its square
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
+class _Sought(Unscaled):
+    """Arcs at tensions that a search tries, far beyond those of the drive.
+
+    Where friction does not peak, its fall at some other pressure refuses none of them.
+    """
+
+    peaks: Flags
+
+    def rows(self, which: slice | Integers) -> Arcs:
+        """Return some of the arcs."""
+        return replace(cast(_Sought, super().rows(which)), peaks=self.peaks[which])
+
+    def inputs(self) -> Array:
+        """Numbers of every arc that a kernel reads."""
+        given = super().inputs()
+        given[~self.peaks, row.INPUTS.index("steepest_fall")] = 0.0
+        return given
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
 class LoadedRows:
     """Arcs that are asked when their belts slide, see `arc.sliding.Loaded`.
 
@@ -67,8 +87,8 @@ class LoadedRows:
     def of(cls, arcs: Arcs, **more: Any) -> LoadedRows:
         """Return arcs of which nothing more is known; tensions are those above m v^2."""
         arcs = arcs.light()
-        one, none = np.ones(len(arcs)), np.zeros(len(arcs), dtype=bool)
-        given = {"friction_factor": one, "slip_factor": one, "peaks": none, **more}
+        one, every = np.ones(len(arcs)), np.ones(len(arcs), dtype=bool)
+        given = {"friction_factor": one, "slip_factor": one, "peaks": every, **more}
         of = cls(**given, arcs=arcs)
         return replace(of, peaks=may_peak(of._unscaled()))
 
@@ -123,13 +143,14 @@ class LoadedRows:
         )
         return q, np.where(most, MOST, np.where(first, TESTED, CREEP)).astype(np.int8)
 
-    def _unscaled(self, **tensions: Array) -> Unscaled:
+    def _unscaled(self, **tensions: Array) -> _Sought:
         """Return the arcs with the creep of sliding for their limit."""
         columns: dict[str, Any] = dict(self.arcs.columns()) | tensions
         columns["creep_limit"] = np.full(len(self.arcs), SLIDES)
         f, s = self.friction_factor, self.slip_factor
         laws, law = self.arcs.laws, self.arcs.law
-        return Unscaled(laws=laws, law=law, friction_factor=f, slip_factor=s, **columns)
+        columns |= {"friction_factor": f, "slip_factor": s, "peaks": self.peaks}
+        return _Sought(laws=laws, law=law, **columns)
 
     def at_limits(self, on: OnLine) -> list[tuple[int, Integers, AtLimit]]:
         """Return what ends the grip of laws that do not fall, the rows of it, and the arcs there.

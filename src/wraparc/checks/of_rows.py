@@ -52,6 +52,7 @@ NOT_CHECKED = (
     "the energy balance of each solution",
     "the interval of the creep by a fitted law (draw the law instead)",
     "the torque of motors, where the load of a train is not divided anew in every row",
+    "how drives oppose each other, the sizes of motors, what a take-up holds in all load cases",
 )
 #: Relative distance within which two numbers may be the same in the digits that are shown.
 _NEAR = 2e-3
@@ -343,19 +344,14 @@ def _joined_states(states: Sequence[State[Array]]) -> State[Array]:
 def _open_trims(
     drives: Sequence[Drive], which: Integers, index: int, tensions: tuple[Array, Array]
 ) -> Flags:
-    """Whether a trim that a pulley takes part in is open, that of the driven ones to the first."""
+    """Whether the trim of a pulley against the first of the driven ones is open."""
     entry, leaving = tensions
     driven = ~idle_rows(entry, leaving).T
     first = driven.argmax(axis=1)
     shifts = np.array(
-        [
-            [[open_shift(d.belt, one, other) > 0.0 for other in d.pulleys] for one in d.pulleys]
-            for d in drives
-        ]
+        [[open_shift(d.belt, one, d.pulleys[index]) > 0.0 for one in d.pulleys] for d in drives]
     )
-    with_first = shifts[which, first] & driven
-    found = np.where(first == index, with_first.any(axis=1), with_first[:, index])
-    return np.asarray(found & driven[:, index])
+    return np.asarray(shifts[which, first] & driven[:, index] & (first != index))
 
 
 def _factors(drives: Sequence[Drive], which: Integers, pulley: str, wrap_angle: Array) -> Array:

@@ -24,11 +24,11 @@ OF_PULLEY = (*OF_GRIP, WET_CREEP, *OF_BELT, *OF_LAGGING, *OF_TESTS, *OF_LAW, *OF
 RULES = {
     rule.name: rule
     for rule in (
+        BELT_THICKNESS,  # as of a train, before those of its pulleys: the first of equals governs
         GROSS_SLIP,
         *OF_PULLEY,
         TAUT,
         PULLEY_DIAMETER,
-        BELT_THICKNESS,
         USUAL_RULE,
         *OF_MOTORS,
         TRAIN_BALANCE_RULE,

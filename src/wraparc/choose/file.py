@@ -21,7 +21,9 @@ from wraparc.schema.overrides import Overrides, load
 from wraparc.schema.problems import Place, Report
 from wraparc.schema.source import Document, read_whole
 from wraparc.schema.tables import Record
+from wraparc.train import Train
 from wraparc.train.drive_parts import check_cases, drive_of, pulley_of
+from wraparc.train.file import load_drive_or_train
 
 _T = TypeVar("_T")
 _COST_KEYS = ("material", "installation", "area", "life_years")
@@ -68,10 +70,17 @@ def search_from_document(document: Document, *, file: str = "", folder: str = ""
             limits=limits,
             costing=costing,
             title=record.get("title", ""),
+            train=_train(record, folder),
         )
     )
     report.sure(search.conditioned)  # whether every lagging has its friction in every condition
     return search
+
+
+def _train(record: Record, folder: str) -> Train | None:
+    """Return the train that the drive is of, if its file has one."""
+    described = load_drive_or_train(os.path.join(folder, record["drive"]))
+    return described if isinstance(described, Train) else None
 
 
 def _refuse_old(document: Document) -> None:

@@ -20,6 +20,7 @@ from wraparc.drive.drive import covered_problems
 from wraparc.drive.pitch import centrifugal_of, pitch_offset
 from wraparc.errors import InputError, Problem
 from wraparc.friction import FrictionLaw
+from wraparc.train import Train
 from wraparc.units import display
 
 #: Most designs of one search.
@@ -115,6 +116,8 @@ class Search:
         What must be kept, and how it is priced.
     title
         What is decided.
+    train
+        What `drive` is of: the load of what is recommended divides anew by it.
 
     Raises
     ------
@@ -134,6 +137,7 @@ class Search:
     limits: Limits = field(default_factory=Limits)
     costing: Costing
     title: str = ""
+    train: Train | None = None
 
     def __post_init__(self) -> None:
         problems = price_problems(

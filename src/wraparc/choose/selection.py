@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -18,7 +18,10 @@ from wraparc.choose.judged import Standing, judge_rows, least_slack, places_of
 from wraparc.choose.life_cycle import Costs, costs_of
 from wraparc.choose.ranking import front, named, next_dearer, ordered, recommended
 from wraparc.choose.search import Grid, Search
-from wraparc.train.whole import solved
+from wraparc.choose.what_if import redivided
+from wraparc.drive import Drive
+from wraparc.train import Train
+from wraparc.train.whole import Described, solved
 
 #: Designs of the ranking that are judged at most, where the first one misses a check.
 MOST_JUDGED = 12
@@ -99,11 +102,16 @@ class Selection:
 
     def judged(self, design: int) -> Verdict:
         """Return what a design comes to in all conditions, judged as `solve` does its drive."""
-        drives = (self.grid.drive(design, k) for k in range(len(self.search.conditions)))
-        verdicts = [judge(solved(drive)) for drive in drives]
+        every = (self._described(design, k) for k in range(len(self.search.conditions)))
+        verdicts = [judge(solved(one)) for one in every]
         if len(verdicts) == 1:
             return verdicts[0]
         return Verdict(tuple(check for verdict in verdicts for check in verdict.checks))
+
+    def _described(self, design: int, condition: int) -> Described:
+        """Return a design as a file would describe it: of a train, a train."""
+        drive, train = self.grid.drive(design, condition), self.search.train
+        return drive if train is None else _as_train(train, drive)
 
     def broken(self, design: int) -> tuple[str, ...]:
         """Names of the checks that a design misses and must not."""
@@ -125,6 +133,18 @@ class Selection:
         Dearer to buy for the same area, not over its life: None if no feasible design has one.
         """
         return next_dearer(self.search, self.grid, self.ranking)
+
+
+def _as_train(train: Train, design: Drive) -> Train:
+    """Return a design of a train: the load divides anew between the ends of its tensions."""
+    first, last = design.pulleys[0].name, design.pulleys[-1].name
+    cases = []
+    for case in train.cases:
+        at = design.load_case(case.name).tensions
+        entry, leaving = at[first].entry, at[last].exit
+        cases.append(replace(case, condition="", entry_tension=entry, exit_tension=leaving))
+    changed = replace(train, cases=tuple(cases), criteria=design.criteria)
+    return redivided(changed, design)
 
 
 def choose(search: Search) -> Selection:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -17,12 +17,13 @@ from wraparc.checks.of_rows import Held, held_by
 from wraparc.checks.of_train import MOMENTARY_LOAD, MOTOR_LOAD
 from wraparc.drive import Drive, Lagging, Tensions, with_peaks
 from wraparc.drive.belt_mass import masses_at
-from wraparc.drive.pitch import centrifugal_force, pitch_offset
+from wraparc.drive.pitch import centrifugal_force, pitch_offset, strain_ratio
 from wraparc.drive.tension_rules import LoadGiven
 from wraparc.errors import InputError
 from wraparc.files.conditions import refuse_several
 from wraparc.files.tensions import KEYS, Given, spread
 from wraparc.friction import FrictionLaw
+from wraparc.schema.overrides import Overrides
 from wraparc.schema.problems import Place, Report, place_text
 from wraparc.schema.source import Document
 from wraparc.schema.tables import Record
@@ -32,7 +33,8 @@ from wraparc.study.parameter_study import TRAIN_OUTPUTS, Rows
 from wraparc.study.plan import Levels, Values
 from wraparc.study.train_columns import Divided, TrainColumns
 from wraparc.train import Motor, Motors
-from wraparc.train.file import any_drive_from_document
+from wraparc.train.as_drive import with_speeds
+from wraparc.train.file import any_drive_from_document, train_from_document
 from wraparc.train.keys import TRAIN_FILE
 from wraparc.train.turning import surface_sentence
 from wraparc.units import DIMENSION_TEXT, Dimension
@@ -91,11 +93,17 @@ class Field:
 
 @dataclass(frozen=True, eq=False)
 class _Base:
-    """What a drive says of the pulley, and the drive."""
+    """What a drive says of the pulley, the drive, and the speeds of the belt of a train [m/s]."""
 
     columns: Mapping[str, float]
     law: FrictionLaw
     drive: Drive
+    speeds: Mapping[str, float]
+
+    def turned(self, load_case: str) -> float:
+        """Return the speed of the belt where the drums decide it, else nan [m/s]."""
+        speed = self.speeds.get(load_case, np.nan)
+        return np.nan if speed == self.drive.belt.speed else speed
 
 
 class DriveSource:
@@ -133,7 +141,7 @@ class DriveSource:
         self.fields, self.fits = tuple(fields), tuple(fits)
         # whether tensions stand at the pulleys, or follow from a train or a conveyor
         self._at_pulleys = not {"train", "conveyor"} & document.keys()
-        self.drive = any_drive_from_document(document, allow_paths=True)
+        self.drive, self._turned = _read(document)
         refuse_several(self.drive, "a study needs")
         self._read_tensions()
         lagging = next(r for r in self._pulleys if r["name"] == pulley).get("lagging")
@@ -209,7 +217,7 @@ class DriveSource:
         """Return designs in a load case."""
         bases, which = self._bases(values, size)
         valid = np.array([b is not None for b in bases], dtype=bool)[which]
-        known = [b if b is not None else self._base(self.drive) for b in bases]
+        known = [b if b is not None else self._base(self.drive, self._turned) for b in bases]
         columns = {
             name: np.array([b.columns[name] for b in known], dtype=float)[which]
             for name in COLUMNS
@@ -253,9 +261,13 @@ class DriveSource:
         laws, law = self._laws([b.law for b in known], which, values, size)
         of_train = self._of_train(divided, entries, exits)
         arcs = Arcs(laws=LawBank.of(laws), law=law, **columns)
+        turned = np.array([b.turned(load_case) for b in known])[which]
+        speeds = np.where(np.isnan(turned), arcs.belt_speed, turned)
+        if divided is not None:
+            speeds = divided.solved.belt_speed
         ones = np.ones(size)
         return Rows(
-            arcs=arcs,
+            arcs=replace(arcs, belt_speed=speeds * self._strain(arcs, entries)),
             held=self._with_motors(
                 held_by(drives, which, self.pulley, load_case, arcs, (entries, exits)),
                 of_train,
@@ -271,6 +283,12 @@ class DriveSource:
             lost=divided.lost if divided else np.zeros(size, dtype=np.int8),
             of_train=of_train,
         )
+
+    def _strain(self, arcs: Arcs, entries: Array) -> Array:
+        """Speed of the belt where it meets the pulley over that at the first, by its strain [-]."""
+        stiffness = arcs.belt_width * arcs.belt_modulus
+        entry = entries[self._names.index(self.pulley)]
+        return np.asarray(strain_ratio(entry, entries[0], stiffness))
 
     def _with_motors(self, held: Held, of_train: Mapping[str, Array], load_case: str) -> Held:
         """Return what rows are held against, with load of the motors and what they bear."""
@@ -320,7 +338,7 @@ class DriveSource:
         """Drives of the different combinations of fields that are no columns."""
         others = [f for f in self._others if f.name in values]
         if not others:
-            return [self._base(self.drive)], np.zeros(size, dtype=np.int64)
+            return [self._base(self.drive, self._turned)], np.zeros(size, dtype=np.int64)
         table = np.stack([values[f.name] for f in others], axis=1)
         different, which = np.unique(table, axis=0, return_inverse=True)
         return [self._built(others, row) for row in different], which.ravel()
@@ -333,13 +351,12 @@ class DriveSource:
                 self._kept.clear()
             given = {place_text(f.place): f.given(v) for f, v in zip(others, key, strict=True)}
             try:
-                drive = any_drive_from_document(self.document, overrides=given, allow_paths=True)
-                self._kept[key] = self._base(drive)
+                self._kept[key] = self._base(*_read(self.document, given))
             except InputError:
                 self._kept[key] = None
         return self._kept[key]
 
-    def _base(self, drive: Drive) -> _Base:
+    def _base(self, drive: Drive, speeds: Mapping[str, float]) -> _Base:
         pulley = drive.pulley(self.pulley)
         lagging: Lagging = pulley.lagging
         nan, of = float("nan"), of_belt(drive.belt, pulley.side, lagging.law)
@@ -361,7 +378,7 @@ class DriveSource:
             "cover_compliance": of["cover_compliance"],
             "centrifugal_force": of["centrifugal"],
         }
-        return _Base(columns, lagging.law, drive)
+        return _Base(columns, lagging.law, drive, speeds)
 
     def _tensions(
         self, values: Values, drives: Sequence[Drive], which: Integers, load_case: str
@@ -401,6 +418,13 @@ class DriveSource:
         over = Record(_numbers(table, place, at), (), {})
         speed: Any = at.get(("belt", "speed"), self.drive.belt.speed)
         return item.overridden(over, fixed=self.drive.criteria.take_up.fixed, speed=speed)
+
+
+def _read(document: Document, given: Overrides = ()) -> tuple[Drive, Mapping[str, float]]:
+    """Return the drive of a file, and of a train the speeds of its belt by load case [m/s]."""
+    if "train" not in document:
+        return any_drive_from_document(document, overrides=given, allow_paths=True), {}
+    return with_speeds(train_from_document(document, overrides=given, allow_paths=True))
 
 
 _SCALING = (FRICTION_FACTOR, SLIP_FACTOR)

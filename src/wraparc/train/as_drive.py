@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import nan
 
 from wraparc.arc import Distributed
 from wraparc.drive import Drive
@@ -24,18 +25,31 @@ def as_drive(train: Train) -> Drive:
     InputError
         If a load case has no solution, with the reason.
     """
+    return with_speeds(train)[0]
+
+
+def with_speeds(train: Train) -> tuple[Drive, dict[str, float]]:
+    """Return a train as a drive, and the speed of its belt at the first pulley by load case.
+
+    Drums that turn as they do decide the speed [m/s]; else it is that of the belt, nan if unknown.
+
+    Raises
+    ------
+    InputError
+        As of `as_drive`.
+    """
     problems: list[Problem] = []
-    cases = []
+    cases, speeds = [], {}
     for case in train.cases:
         try:
-            pairs = _pairs(train, case)
+            pairs, speeds[case.name] = _pairs(train, case)
         except InputError as error:
             problems += error.problems
             continue
         cases.append(load_case(train, case, pairs))
     if problems:
         raise InputError(problems)
-    return drive_with(train, cases)
+    return drive_with(train, cases), speeds
 
 
 def nearest_drive(train: Train, method: Distributed | None = None) -> Drive:
@@ -44,11 +58,11 @@ def nearest_drive(train: Train, method: Distributed | None = None) -> Drive:
     return solve_train(train, method=solver, raise_on_failure=False).drive_result().drive
 
 
-def _pairs(train: Train, case: TrainCase) -> Sequence[tuple[float, float]]:
+def _pairs(train: Train, case: TrainCase) -> tuple[Sequence[tuple[float, float]], float]:
     if case.pulls_given:
-        return given_pairs(case)
+        return given_pairs(case), train.belt.speed or nan
     solved = solve_case(train, case, Distributed(capacities=False))
     if not solved.status.solved:
         message = f"load case {case.name}: {solved.reason} {solved.status}"
         raise input_error(key="train", message=message)
-    return [(m.arc.entry_tension, m.arc.exit_tension) for m in solved]
+    return [(m.arc.entry_tension, m.arc.exit_tension) for m in solved], solved.belt_speed

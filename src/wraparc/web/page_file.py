@@ -62,7 +62,7 @@ def page_file(document: Document, name: str, text: str) -> str:
         If a page alone cannot solve such a drive.
     """
     _check(document)
-    data = json.dumps(_data(document, name, text), ensure_ascii=False, separators=(",", ":"))
+    data = json.dumps(page_data(document, name, text), ensure_ascii=False, separators=(",", ":"))
     style, start = _built("page.css"), _built("start.js")
     solver, program = _built("solver.js"), _built("page.js")
     icon = base64.b64encode((_STATIC / "built" / "icon.svg").read_bytes()).decode("ascii")
@@ -114,7 +114,7 @@ def _policy(style: str, scripts: tuple[str, ...]) -> str:
     )
 
 
-def _data(document: Document, name: str, text: str) -> dict[str, Any]:
+def page_data(document: Document, name: str, text: str) -> dict[str, Any]:
     """Return what the scripts know."""
     plain = json_like(document)
     found = {e.name: e for e in examples() if _alone(e.document)}
