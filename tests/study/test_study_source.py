@@ -17,6 +17,7 @@ from wraparc.files import drive_from_document, load_lagging, save_lagging
 from wraparc.friction import IntegralLog, PressureKnots
 from wraparc.schema.source import parse, read_text
 from wraparc.study.parameter_study import Study
+from wraparc.study.source import DriveSource
 
 RICH = """
 format = 1
@@ -201,6 +202,7 @@ def test_a_shear_modulus_beside_another_compression_modulus(tmp_path: Path) -> N
     study = study_of(
         axis, drive=str(path), pulley="first", sampling={"samples": 4, "seed": 1}
     ).study
+    assert isinstance(study.source, DriveSource)
     assert not study.source.slow  # a column that differs from the file is none
     values = study.plan.values(0, 4)
     rows = study.source.rows(values, 4, "design")
