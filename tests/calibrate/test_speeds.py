@@ -278,7 +278,7 @@ def test_speeds_without_thickness_and_zero_are_asked_about(tmp_path: Path) -> No
 
 
 def test_simulated_records_are_covered() -> None:
-    # A small run of benchmarks/calibrate_speeds.py, whose 200 records are told in the docs, one of
+    # A small run of benchmarks/calibrate_speeds.py, whose 400 records are in the docs, one of
     # each kind: of nine intervals of 95 %, six or fewer would hold the truth once in 120 runs.
     ran = list(benchmark_module("calibrate_speeds").simulated(8))
     hits = [hit for outcome in ran for hit in outcome.hits]
