@@ -33,7 +33,7 @@ def at(page: Page) -> str:
 
 #: Buttons that are gone, or of no use, once pressed: page, button, where the focus is then.
 GONE = (
-    ("drive", "Raise T2 to 89.4 kN", "verdict"),
+    ("drive", "Raise T2 to 94.1 kN", "verdict"),
     ("drive", "Pin this design", "Along the wrap"),
     ("train", "Find the trim limits", "train-verdict"),
     ("saved", "Open Head drive, ROM conveyor", "drive-title"),
@@ -60,7 +60,7 @@ def test_focus_stays_while_an_answer_is_long_in_coming(visitor: Visitor) -> None
     visitor.page.route("**/drive/judging.js", lambda route: None)  # the server answers alone
     page = used(visitor, "drive")
     page.route("**/api/v1/solve/fast", lambda route: held.append(route))  # noqa: PLW0108
-    pressed(page.get_by_role("button", name="Raise T2 to 89.4 kN"))
+    pressed(page.get_by_role("button", name="Raise T2 to 94.1 kN"))
     page.wait_for_selector("#results.waiting")
     visitor.painted()
     assert at(page) == "verdict"

@@ -59,7 +59,7 @@ def pinned_and_without_a_server(visitor: Visitor) -> Page:
     visitor.solved()
     page.get_by_role("button", name="Pin this design").click()
     page.get_by_label("Paper's march beside it").check()
-    page.get_by_role("button", name="Raise T2 to 89.4 kN").click()
+    page.get_by_role("button", name="Raise T2 to 94.1 kN").click()
     page.locator("#toast").get_by_role("button", name="Undo").wait_for()
     page.get_by_role("button", name="Help: Wrap angle").click()
     visitor.solved()

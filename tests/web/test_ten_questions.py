@@ -104,7 +104,7 @@ def wrap_take_up_or_ceramic(hand: Hand) -> None:
     wrap = f"{found['value'] * 57.29577951308232:.1f} deg"
     expect(seek.get_by_role("button", name=f"Use {wrap}")).to_be_visible()
     # and the take-up stands on the button beside the verdict
-    expect(hand.page.locator(".advice")).to_have_text("Raise T2 to 89.4 kN")
+    expect(hand.page.locator(".advice")).to_have_text("Raise T2 to 94.1 kN")
 
 
 def normal_slip(hand: Hand) -> None:
@@ -137,7 +137,7 @@ def rubber_or_ceramic(hand: Hand) -> None:
     hand.turn("compare")
     rows = hand.page.locator("#compare tbody tr")
     expect(rows).to_have_count(3)
-    expect(rows.filter(has_text="Full ceramic")).to_contain_text("4.21 mm")
+    expect(rows.filter(has_text="Full ceramic")).to_contain_text("4.36 mm")
     costs = [words(text) for text in rows.locator("td.num").all_text_contents()]
     assert any("," in cost for cost in costs)  # over the years, grouped by thousands
 
