@@ -139,7 +139,7 @@ QUANTITIES: tuple[Quantity, ...] = (
     ),
     Quantity(
         "shear_modulus", "G", "pressure", "Shear modulus of the lagging",
-        "Shear stress for unit tangent of the shear angle.",
+        "Shear stress over the gross area for unit tangent of the shear angle.",
     ),
     Quantity(
         "compression_modulus", "E_c", "pressure", "Compression modulus of the lagging",

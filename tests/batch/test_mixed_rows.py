@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 import os
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -156,3 +157,20 @@ def test_the_compression_modulus_follows_the_thickness_of_rows() -> None:
         assert batch["exit_creep"][i] == pytest.approx(result.exit_creep, rel=1e-6, nan_ok=True)
     moduli = arcs_of_table(fixed, laggings).compression_modulus
     np.testing.assert_array_equal(moduli, 2e7)
+
+
+def test_an_overrun_beyond_the_creep_limit_leaves_no_capacity() -> None:
+    """A brake on thick soft lagging; expected: `solve` of the arc, with the tight side behind."""
+    lagging = replace(load_lagging("diamond-rubber"), compression_modulus=1e6, thickness=30e-3)
+    table = {"entry_tension": 100e3, "exit_tension": 400e3, "diameter": 0.8, "wrap_angle": math.pi,
+             "belt_width": 1.0, "belt_modulus": 50e6}  # fmt: skip
+    row = solve_batch(table, lagging, setting=Setting.PRECISE)
+    arc = WrapArc(
+        law=lagging.law, entry_tension=100e3, exit_tension=400e3, diameter=0.8, wrap_angle=math.pi,
+        width=1.0, axial_stiffness=50e6, thickness=30e-3, shear_modulus=lagging.shear_modulus,
+        compression_modulus=1e6,
+    )  # fmt: skip
+    alone = Distributed().solve(arc)
+    capacity = alone.capacities.creep_limit_capacity
+    assert capacity < 1.0
+    assert row["creep_limit_capacity"][0] == pytest.approx(capacity, rel=1e-5)

@@ -19,7 +19,7 @@ def test_the_demo_lays_out_solves_and_draws(
     for path in examples_folder().rglob("*.toml"):
         assert (folder / path.relative_to(examples_folder())).read_bytes() == path.read_bytes()
     assert "Head drive, ROM conveyor" in ran.out
-    assert "ATTENTION Creep 11.3 mm exceeds the 6.35 mm limit (head, start)." in ran.words
+    assert "ATTENTION Creep 11.4 mm exceeds the 6.35 mm limit (head, start)." in ran.words
     assert "<svg" in (folder / "head-drive-fabric.svg").read_text("utf-8")
     assert "The picture is wraparc-demo/head-drive-fabric.svg" in ran.out.replace("\\", "/")
     assert "Try next:" in ran.out

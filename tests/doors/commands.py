@@ -17,7 +17,7 @@ from wraparc.train import Train
 
 Data = dict[str, Any]
 #: Relative accuracy of numbers in three digits, and of those of pieces that travel.
-_SHOWN, _IN_TIME = 6e-3, 2e-3
+_SHOWN, _IN_TIME = 6e-3, 1e-2
 
 
 def refused(ran: Ran, case: Case) -> Record | None:

@@ -1,5 +1,6 @@
 """Drives in conditions: each column equals the drive whose laggings were scaled by hand."""
 
+from dataclasses import astuple
 from pathlib import Path
 
 import pytest
@@ -40,7 +41,8 @@ def test_every_load_case_is_solved_in_every_condition() -> None:
         for arc in solve(alone):
             found = several.arc("head", f"{arc.arc.load_case}, {condition}")
             assert found.exit_creep == arc.exit_creep
-            assert found.capacities == arc.capacities
+            numbers = astuple(found.capacities)
+            assert numbers == pytest.approx(astuple(arc.capacities), rel=0.0, abs=0.0, nan_ok=True)
 
 
 def test_the_worst_condition_gives_verdict_and_least_tension() -> None:

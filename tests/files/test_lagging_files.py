@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from wraparc import InputError, Kind
+from wraparc.arc import Distributed, WrapArc
 from wraparc.drive import Cost, Fit, Lagging
 from wraparc.files import drive_from_text, lagging_from_text, load_lagging
 from wraparc.friction import (
@@ -366,6 +367,32 @@ def test_the_blocks_of_a_thicker_lagging_are_softer() -> None:
     assert lagging.compression_modulus == pytest.approx(12e6)
 
 
+def test_blocks_on_a_part_of_the_area_shear_by_the_stress_that_they_bear() -> None:
+    """Blocks on 4/5 of the area bear tau/f: u = (h/G) tau/f, gamma = atan(tau/(f G)).
+
+    An arc that the shear alone holds, much longer than l = sqrt(c EA/B), c = h/(f G):
+    T1 - T2 = (B l/c) u at the exit, by hand from the balance of a solid strip of the width f B.
+    """
+    block = 'block = { width = "40 mm", contact_fraction = 0.8 }'
+    lagging = elastic('thickness = "0.2 mm"', 'shear_modulus = "5 MPa"', block)
+    assert "contact fraction 0.8" in str(lagging.source_of("shear_modulus"))
+    width, stiffness, pull = 1.2, 1.2 * 12.96e6, 20.0
+    arc = WrapArc(
+        law=lagging.law, entry_tension=150e3, exit_tension=150e3 - pull, diameter=0.8,
+        wrap_angle=3.0, width=width, axial_stiffness=stiffness, thickness=lagging.thickness,
+        shear_modulus=lagging.shear_modulus, overrun=0.0,
+    )  # fmt: skip
+    result = Distributed(capacities=False).solve(arc)
+    # k'' = k/l^2 of a strip: G f B k/h = EA k'', so that the force is sqrt(EA G f B/h) u
+    creep = pull / math.sqrt(stiffness * 5e6 * 0.8 * width / 0.2e-3)
+    assert result.exit_creep == pytest.approx(creep, rel=1e-9)
+    assert math.tan(result.peak_shear_angle) == pytest.approx(creep / 0.2e-3, rel=1e-9)
+    told = elastic('thickness = "12 mm"', 'elastic_modulus = "6 MPa"', block)
+    assert told.shear_modulus == pytest.approx(0.8 * 2e6)
+    alone = elastic('thickness = "12 mm"', 'shear_modulus = "2 MPa"')
+    assert alone.shear_modulus == 2e6
+
+
 def test_a_surface_that_does_not_yield() -> None:
     lagging = elastic()
     assert (lagging.thickness, lagging.shear_compliance, lagging.compression_compliance) == (
@@ -450,6 +477,14 @@ def test_a_preset_is_overridden_key_by_key() -> None:
     stiff = inline('{ preset = "full-ceramic", compression_modulus = "30 MPa" }')
     assert stiff.compression_modulus == 30e6
     assert stiff.source_of("compression_modulus").note == "instead of that of full-ceramic"
+    # its blocks shear on, 4/5 of the area of rubber of 2.3 MPa
+    assert stiff.shear_modulus == pytest.approx(0.8 * 2.3e6)
+    assert stiff.source_of("shear_modulus").kind is Kind.PUBLISHED
+    assert "contact fraction 0.8" in stiff.source_of("shear_modulus").note
+    both = inline(
+        '{ preset = "full-ceramic", shear_modulus = "2 MPa", compression_modulus = "30 MPa" }'
+    )
+    assert both.shear_modulus == pytest.approx(0.8 * 2e6)
 
 
 def test_another_law_for_a_preset() -> None:
@@ -464,8 +499,8 @@ def test_another_law_for_a_preset() -> None:
 def test_a_named_table_below_a_table_of_a_pulley() -> None:
     more = '[lagging.worn]\npreset = "diamond-rubber"\nthickness = "6 mm"\n'
     assert inline('"worn"', more).thickness == 0.006
-    softer = inline('{ preset = "worn", shear_modulus = "1 MPa" }', more)
-    assert (softer.name, softer.thickness, softer.shear_modulus) == ("diamond-rubber", 0.006, 1e6)
+    softer = inline('{ preset = "worn", shear_modulus = "1 MPa" }', more)  # blocks on 85 %
+    assert (softer.name, softer.thickness, softer.shear_modulus) == ("diamond-rubber", 0.006, 85e4)
 
 
 @pytest.mark.parametrize(

@@ -12,6 +12,7 @@ from files.samples import EXAMPLE_DRIVES, LAGGINGS, drives, example, numbers
 from wraparc import InputError
 from wraparc.drive import Drive, Lagging
 from wraparc.files import (
+    drive_from_document,
     drive_from_text,
     drive_text,
     lagging_from_text,
@@ -146,6 +147,44 @@ def test_a_changed_preset_stays_a_preset() -> None:
     drive = load_drive(EXAMPLES[1], overrides=["pulley.head.lagging.thickness=20 mm"])
     (pulley,) = parse(drive_text(drive))["pulley"]
     assert pulley["lagging"] == {"preset": "diamond-rubber", "thickness": "20 mm"}
+
+
+@pytest.mark.parametrize(
+    "more",
+    [
+        {"shear_modulus": "1500 kPa"},
+        {"compression_modulus": "9000 kPa"},
+        {"shear_modulus": "1500 kPa", "compression_modulus": "9000 kPa"},
+    ],
+    ids="+".join,
+)
+def test_a_preset_with_other_moduli_keeps_them_and_its_blocks(more: dict[str, str]) -> None:
+    """As they were given: the shear modulus is that of the rubber, blocks cover 85 % of it."""
+    over = {f"pulley.head.lagging.{key}": value for key, value in more.items()}
+    drive = load_drive(EXAMPLES[1], overrides=over)
+    document = parse(drive_text(drive))
+    (pulley,) = document["pulley"]
+    assert pulley["lagging"] == {"preset": "diamond-rubber", **more}
+    again = drive_from_document(document)
+    assert again.pulleys[0].lagging.block == drive.pulleys[0].lagging.block
+    assert again.pulleys[0].lagging.contact_fraction == 0.85
+
+
+def test_a_stated_shear_modulus_of_blocks_reads_back_with_its_source() -> None:
+    text = lagging_text(load_lagging("diamond-rubber")).replace("diamond-rubber", "mine", 1)
+    own = '{ kind = "measured", source = "own test", note = "cut out" }'
+    text = text.replace("[sources]\n", f"[sources]\nshear_modulus = {own}\n")
+    text = text.replace("thickness =", 'shear_modulus = "1.7 MPa"\nthickness =', 1)
+    (lagging,) = lagging_from_text(text)
+    assert lagging.shear_modulus == pytest.approx(0.85 * 1.7e6)
+    of = lagging.source_of("shear_modulus")
+    assert (of.kind.value, of.source) == ("measured", "own test")
+    assert "contact fraction 0.85" in of.note
+    assert of.note.endswith("; cut out")
+    text = lagging_text(lagging)
+    assert 'shear_modulus = "1700 kPa"' in text
+    (again,) = lagging_from_text(text)
+    assert (again, again.block) == (lagging, lagging.block)
 
 
 # ---- writing to disk ----

@@ -29,11 +29,11 @@ from wraparc.motion import (
     stability,
     stability_map,
 )
-from wraparc.motion.event import LoadStep
+from wraparc.motion.event import Event, LoadStep
 from wraparc.motion.file import motion_from_text, read_record
 from wraparc.motion.result import Peak, RunResult
 from wraparc.plot.motion import plot_run, plot_stability, plot_stability_map
-from wraparc.train import Motor
+from wraparc.train import Motor, solve_train
 from wraparc.units import in_units
 
 TANDEMS = ["examples/tandem-fabric.toml", "examples/tandem-steel-cord.toml"]
@@ -254,7 +254,7 @@ def test_pictures_and_words_of_a_run_and_of_a_follower() -> None:
     found = stability(motion.station)
     verdict = shown(stability_sheet(found), "si").verdict
     assert verdict is not None
-    assert verdict.text.startswith("Self-excited oscillation at 2.79 Hz, doubling time ")
+    assert verdict.text.startswith("Self-excited oscillation at 2.78 Hz, doubling time ")  # 2.79 of `motion.stations`
     assert "damping" in verdict.sentences[0]
     assert plot_stability(found).to_bytes("png")[:4] == b"\x89PNG"
     assert plot_stability_map(stability_map(motion.station, points=4)).to_bytes("png")
@@ -472,3 +472,20 @@ def test_only_what_starts_or_stops_may_use_the_momentary_rating() -> None:
 def short_run() -> RunResult:
     motion = load_motion(TANDEMS[0], overrides=QUICK)
     return simulate(motion.station, motion.event("start"), points=60)
+
+
+def test_a_run_has_the_friction_of_its_load_case() -> None:
+    """Expected: `solve_train` of the load case, which is wet; so is what moves, from the start."""
+    text = Path("examples/tandem-fabric.toml").read_text("utf-8")
+    wet = 'name = "empty"\ncondition = "wet"'
+    whole = motion_from_text(text.replace('name = "empty"', wet, 1).replace(
+        "[motion]", '[motion]\nload_case = "empty"', 1))  # fmt: skip
+    station = whole.station
+    still = Event(duration=0.05, happenings=(LoadStep(at=0.01, factor=1.0),))
+    found = simulate(station, still)
+    case = next(c for c in solve_train(station.train).cases if c.case.name == "empty")
+    dry = solve_train(motion_from_text(text).station.train).cases[1]
+    for name, drum in zip(("first", "second"), found, strict=True):
+        peak = drum.extremes.creep.value
+        assert peak == pytest.approx(case[name].arc.exit_creep, rel=2e-4)
+        assert peak > 1.05 * dry[name].arc.exit_creep

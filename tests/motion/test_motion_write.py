@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from motion.stations import TRAINS
-from wraparc import InputError, load_motion
+from wraparc import InputError, load_motion, load_train
 from wraparc.motion import (
     Control,
     CoupledMotor,
@@ -33,6 +33,7 @@ from wraparc.motion.file import Motion, motion_from_text
 
 FILE = Path("examples/tandem-fabric.toml").read_text("utf-8")
 TRAIN = FILE[: FILE.index("[motion]")]
+FABRIC = load_train("examples/tandem-fabric.toml")
 
 CONTROLS: list[Control] = [
     ExactSpeed(rated_torque=21e3),
@@ -73,7 +74,7 @@ def test_every_control_reads_back_equal(control: Control) -> None:
         backstop=False, brake_torque=15e3,
     )  # fmt: skip
     station = Station(
-        train=TRAINS["fabric"], drums=(Drum(inertia=2200.0, control=Droop()), drum),
+        train=FABRIC, drums=(Drum(inertia=2200.0, control=Droop()), drum),
         conveyor_mass=123e3, carry_run=61.0, lift_share=0.1, take_up="winch", winch_speed=0.2,
         source="given",
     )  # fmt: skip

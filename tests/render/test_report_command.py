@@ -47,7 +47,7 @@ def test_us_units_come_on_us_paper_unless_asked_otherwise(tmp_path: Path) -> Non
         "report", DRIVE, "-o", str(target), "--units", "us", "--paper", "a4", "--case", "design"
     )
     assert media_box(target.read_bytes())[2:] == pytest.approx([595.28, 841.89], abs=0.01)
-    assert "0.290 in" in metadata(target.read_bytes())
+    assert "0.295 in" in metadata(target.read_bytes())
 
 
 def test_values_can_be_put_over_those_of_the_file() -> None:

@@ -17,6 +17,7 @@ from wraparc.files import drive_from_document, load_lagging, save_lagging
 from wraparc.friction import IntegralLog, PressureKnots
 from wraparc.schema.source import parse, read_text
 from wraparc.study.parameter_study import Study
+from wraparc.study.source import DriveSource
 
 RICH = """
 format = 1
@@ -36,6 +37,9 @@ thickness = "10 mm"
 shear_modulus = "2 MPa"
 compression_modulus = "9 MPa"
 law = { kind = "constant", friction = 0.5, slip_includes = [] }
+[lagging.stiff]
+preset = "full-ceramic"
+compression_modulus = "30 MPa"
 [[pulley]]
 name = "first"
 diameter = "800 mm"
@@ -76,6 +80,14 @@ AXES = [
     [quantity(8, 20, "mm", "lagging.worn.thickness")],
     [quantity(1, 3, "MPa", "lagging.worn.shear_modulus")],
     [quantity(5, 30, "MPa", "pulley.first.lagging.compression_modulus")],
+    [
+        quantity(1, 3, "MPa", "pulley.first.lagging.shear_modulus"),
+        quantity(5, 30, "MPa", "pulley.first.lagging.compression_modulus"),
+    ],
+    [  # a modulus of compression in the place of that of the blocks, which shear on
+        {"field": "pulley.first.lagging", "values": ["worn", "stiff", "plain"]},
+        quantity(1, 3, "MPa", "pulley.first.lagging.shear_modulus"),
+    ],
     [quantity(10, 60, "kg/m", "belt.mass"), quantity(2, 6, "m/s", "belt.speed")],
     [
         {"field": "pulley.first.lagging", "values": ["worn", "full-ceramic", "medium-ceramic"]},
@@ -179,6 +191,28 @@ def test_columns_are_what_the_drive_file_makes(
             law = rows.arcs.laws.compact(int(rows.arcs.law[i]))
             compact = arc.law.compact()
             np.testing.assert_array_equal(law[2], compact.coefficients)
+
+
+def test_a_shear_modulus_beside_another_compression_modulus(tmp_path: Path) -> None:
+    """Source: G of the rubber times 0.8, the part of the area that blocks of the preset cover."""
+    stiff = '{ preset = "full-ceramic", compression_modulus = "30 MPa" }'
+    path = tmp_path / "stiff.toml"
+    path.write_text(RICH.replace('lagging = "worn"', f"lagging = {stiff}"), "utf-8")
+    axis = quantity(1, 3, "MPa", "pulley.first.lagging.shear_modulus")
+    study = study_of(
+        axis, drive=str(path), pulley="first", sampling={"samples": 4, "seed": 1}
+    ).study
+    assert isinstance(study.source, DriveSource)
+    assert not study.source.slow  # a column that differs from the file is none
+    values = study.plan.values(0, 4)
+    rows = study.source.rows(values, 4, "design")
+    (given,) = values.values()
+    assert rows.arcs.shear_modulus == pytest.approx(0.8 * given, rel=1e-12)
+    for i in range(4):
+        over = in_file(study, values, i)
+        drive = drive_from_document(parse(path.read_text("utf-8"), ""), overrides=over)
+        told = drive.pulley("first").lagging.shear_modulus
+        assert rows.arcs.shear_modulus[i] == pytest.approx(told, rel=1e-12)
 
 
 def test_factors_scale_the_law_as_a_law_of_its_own_would() -> None:

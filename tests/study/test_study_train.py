@@ -69,6 +69,17 @@ def test_tensions_and_belt_are_those_of_the_file_written_so() -> None:
             assert found["exit_creep"][2 * i + k] == pytest.approx(drum.arc.exit_creep, rel=1e-4)
 
 
+def test_a_shear_modulus_is_that_of_the_rubber_as_in_the_file() -> None:
+    """Both drums are lagged with blocks on 85 % of the area."""
+    key = "pulley.second.lagging.shear_modulus"
+    found = study_of(axis(key, "1.5 MPa", "3 MPa"), setting="precise").study.solve(0, 2)
+    for i, modulus in enumerate(("1.5 MPa", "3 MPa")):
+        solved = solve_train(load_train(TANDEM, overrides={key: modulus}), method=QUICK)
+        told = solved.cases[0]["second"]
+        assert found["exit_creep"][i] == pytest.approx(told.arc.exit_creep, rel=1e-6)
+        assert found["speed_trim"][i] == pytest.approx(told.speed_trim, abs=1e-8)
+
+
 def test_a_train_that_finds_no_balance_breaks_away(tmp_path: Path) -> None:
     trims = axis("pulley.second.speed_trim", "99.5 %", "99.6 %")
     weak = {"field": "pulley.first.lagging.friction_factor", "distribution": "uniform",

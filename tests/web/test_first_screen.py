@@ -87,7 +87,7 @@ def test_the_first_screen_needs_no_scroll(opened: Visitor) -> None:
     assert page.evaluate("document.documentElement.scrollWidth") == SCREEN["width"]
     # the seven inputs, and one number in the hub
     assert page.locator(".rail > .field, .pick-row").count() == 7
-    assert page.locator(".hub-number").text_content() == "7.38mm"
+    assert page.locator(".hub-number").text_content() == "7.49mm"
     # a drive that carries its load is not drawn anew all the time
     assert page.evaluate("document.getAnimations().length") == 0
 
@@ -226,7 +226,7 @@ def test_nonsense_in_every_box_is_told_there_and_never_good(visitor: Visitor) ->
     for i, value in enumerate(right):
         boxes.nth(i).fill(value)
     visitor.solved()
-    expect(page.locator(".hub-number")).to_have_text("7.38mm")
+    expect(page.locator(".hub-number")).to_have_text("7.49mm")
 
 
 SLIDERS = ["Entry tension", "Exit tension", "Wrap angle", "Diameter", "Belt width"]
@@ -350,7 +350,7 @@ def test_what_would_change_the_creep_does(visitor: Visitor) -> None:
         page.locator(".ways button").nth(i).click()
         expect(page.locator(".hub-number")).to_have_text(told.replace(" ", ""))
         page.click("#undo")
-        expect(page.locator(".hub-number")).to_have_text("7.38mm")
+        expect(page.locator(".hub-number")).to_have_text("7.49mm")
         page.wait_for_selector(".ways li")
 
 

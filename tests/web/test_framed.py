@@ -217,9 +217,9 @@ def test_the_sentence_is_of_the_load_case_that_is_looked_at(long_visit: Visitor)
     say = page.locator("#train .say")
     expect(say.locator("p")).to_contain_text(re.compile(r"OK: All \d+ checks pass\."))
     governing = say.locator(".line").filter(has_text="Governing")
-    expect(governing).to_contain_text("empty: Drives oppose each other by 1.28 kN (empty).")
+    expect(governing).to_contain_text("empty: Drives oppose each other by 1.17 kN (empty).")
     say.get_by_role("button", name="empty").click()
-    expect(say.locator("p")).to_have_text("ATTENTION: Drives oppose each other by 1.28 kN (empty).")
+    expect(say.locator("p")).to_have_text("ATTENTION: Drives oppose each other by 1.17 kN (empty).")
     expect(say.locator(".line").filter(has_text="Action")).to_have_text(
         "Action Try torque sharing, or closer speeds (wraparc trim)."
     )

@@ -232,7 +232,7 @@ def test_wet_worn_and_bare_stand_side_by_side_on_the_page(visitor: Visitor) -> N
     expect(card.locator("[data-stands=stale]")).to_be_visible()
     card.get_by_role("button", name="Show").click()
     expect(card.locator("[data-stands=stale]")).to_have_count(0)
-    expect(card).to_contain_text("now 4.21 mm")
+    expect(card).to_contain_text("now 4.36 mm")
 
 
 WET = EXAMPLES / "wet-season"

@@ -141,7 +141,7 @@ def rubber_or_ceramic(hand: Hand) -> None:
     hand.turn("compare")
     rows = hand.page.locator("#compare tbody tr")
     expect(rows).to_have_count(3)
-    expect(rows.filter(has_text="Full ceramic")).to_contain_text("4.21 mm")
+    expect(rows.filter(has_text="Full ceramic")).to_contain_text("4.36 mm")
     costs = [words(text) for text in rows.locator("td.num").all_text_contents()]
     assert any("," in cost for cost in costs)  # over the years, grouped by thousands
 

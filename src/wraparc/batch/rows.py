@@ -454,7 +454,10 @@ class RowBatch:
 
         def read(rows: Integers, block: Block, met: Solved) -> None:
             entry, leaving = met.courses.tension[0], met.courses.tension[-1]
-            tight[rows], slack[rows] = np.maximum(entry, leaving), np.minimum(entry, leaving)
+            # by what the arc is asked: where an overrun takes all, the sides change places
+            driving = block.side > 0.0
+            tight[rows] = np.where(driving, entry, leaving)
+            slack[rows] = np.where(driving, leaving, entry)
             grows[rows] = met.grows
 
         begun = np.flatnonzero((guess.slack > 0.0) & np.isfinite(guess.tight))

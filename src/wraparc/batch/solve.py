@@ -46,7 +46,8 @@ def solve_batch(
         Columns by their names in the glossary, one number for all rows or one for each [SI]:
         ``entry_tension``, ``exit_tension``, ``diameter``, ``wrap_angle``, ``belt_width``,
         ``belt_modulus``; if they are not to come from the lagging ``lagging_thickness``,
-        ``shear_modulus``, ``compression_modulus`` (else it follows the thickness, see
+        ``shear_modulus`` (over the gross area, see `wraparc.drive.Lagging`),
+        ``compression_modulus`` (else it follows the thickness, see
         `wraparc.drive.Lagging.with_thickness`), ``wear_coefficient``; and ``overrun`` (nan: by
         formula), ``recovery`` (1 or 0), ``creep_limit``, ``belt_speed``, and of the belt
         ``pitch_offset`` (e), ``cover_compliance`` (h_b/G_b [m/Pa]), ``centrifugal_force``

@@ -109,7 +109,11 @@ CALIBRATE = Table(
     need("drive", "Drive file, relative to this one.", Name(1000)),
     Entry("pulley", "Which pulley, where the drive has several.", Name()),
     Entry("method", "distributed if left out.", Choice(tuple(METHODS))),
-    Entry("parameters", "What is to be found.", Rows(Choice(PARAMETERS), 0, 5)),
+    Entry(
+        "parameters",
+        "What is to be found; a shear modulus is that over the gross area of the lagging.",
+        Rows(Choice(PARAMETERS), 0, 5),
+    ),
     Entry("zero", "Belt idling, or nearly so.", ZERO, title="Zero record"),
     Entry("errors", "How wrong what was measured may be.", ERRORS_TABLE),
     Entry("prior", "By parameter.", ByName(PRIOR), title="Priors"),

@@ -28,7 +28,9 @@ class Block:
         k, Gent's numerical factor: 1 for unfilled rubber, falling to about 0.5 for hard
         filled compounds (0.57 at 60 IRHD, 0.54 at 65, 0.53 at 70) [-].
     contact_fraction
-        Part of the wrap area that the blocks cover [-].
+        f, part of the wrap area that the blocks cover [-]: they bear p/f and tau/f, so that the
+        compression modulus and the shear modulus over the gross area are f times theirs. A shear
+        modulus has no shape factor; grooves are taken as deep as the lagging is thick.
     """
 
     LIMITS: ClassVar[Mapping[str, Limit]] = {

@@ -71,7 +71,9 @@ class Lagging(Viewable):
     thickness
         Thickness h that shears [m]; 0 for a surface that does not.
     shear_modulus
-        G [Pa]; infinite if it does not shear.
+        Effective shear modulus G over the gross area [Pa]: f times that of the rubber, G_r, where
+        blocks cover the fraction f of it, which bear tau/f: tan(gamma) = tau/(f G_r). Infinite if
+        the lagging does not shear.
     compression_modulus
         Effective compression modulus E_c over the gross area [Pa].
     title
@@ -102,6 +104,8 @@ class Lagging(Viewable):
     block
         Blocks that the compression modulus was estimated from, or None: how it follows a worn
         thickness. It is no part of what makes two laggings equal.
+    replaced_block
+        Blocks of a preset whose compression modulus another was given for, or None: they shear on.
     provenance
         Where the lagging's numbers came from.
     sources
@@ -148,6 +152,7 @@ class Lagging(Viewable):
     factors: Factors | None = None
     condition_factors: Mapping[str, ConditionFactor] = field(default_factory=dict, hash=False)
     block: Block | None = field(default=None, compare=False)
+    replaced_block: Block | None = field(default=None, compare=False)
     provenance: Provenance = field(default_factory=Provenance)
     sources: Mapping[str, Provenance] = field(default_factory=dict, hash=False)
     scaled_by: float | None = None
@@ -161,6 +166,12 @@ class Lagging(Viewable):
             message = f"must be one of {', '.join(SURFACES)}"
             problems.append(Problem(key="surface", value=shown(self.surface), message=message))
         raise_all(problems)
+
+    @property
+    def contact_fraction(self) -> float:
+        """f, part of the gross area that blocks cover, 1 without blocks [-]."""
+        block = self.block or self.replaced_block
+        return 1.0 if block is None else block.contact_fraction
 
     @property
     def shear_compliance(self) -> float:

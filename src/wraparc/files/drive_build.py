@@ -35,7 +35,7 @@ _NUMBERS = {e.key for e in LAGGING_GIVEN.entries} - {
     "preset", "name", "title", "description", "surface", "notes", "sources", "provenance",
 }  # fmt: skip
 # Keys of which a table may hold one: giving it drops the others of the preset.
-_EITHER = (("compression_modulus", "block"),)
+_EITHER = (("compression_modulus", "block", "replaced_block"),)
 
 
 def build_belt(record: Record, report: Report) -> Belt | None:
@@ -189,6 +189,9 @@ class Laggings:
         values = {"name": name or owner, **values, **given}
         if base is not None:
             values |= _merged_origins(base, given)
+            blocks = base.get("block", base.get("replaced_block"))
+            if "compression_modulus" in given and blocks is not None:
+                values["replaced_block"] = blocks
         return Record(values, given.place, given.raw, given.faulty)
 
 

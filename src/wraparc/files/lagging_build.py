@@ -1,6 +1,6 @@
 """A lagging table, its keys already read, to laggings: one for each of its laws."""
 
-from dataclasses import fields
+from dataclasses import fields, replace
 from typing import Any
 
 from wraparc.drive import Block, ConditionFactor, Factors, Lagging, compression_modulus
@@ -129,7 +129,8 @@ def _elasticity(
     """Return thickness and moduli, those not given estimated from those given.
 
     What is estimated says so in `sources`: G = E/3 of an incompressible rubber, E = 3 G,
-    and the compression modulus from E and the shape of the blocks, or equal to E.
+    and the compression modulus from E and the shape of the blocks, or equal to E. Moduli that are
+    given with blocks are those of the rubber: over the gross area the blocks shear by f G.
     """
     given = [key for key in _ELASTIC if key in record]
     if not record.sound("thickness", *_ELASTIC):
@@ -150,39 +151,65 @@ def _elasticity(
         report.add(place, "missing, and the lagging is not rigid", remedy)
         return {}
     stated = {key: record[key] for key in _MEASURED if key in record}
-    return _estimated(record, sources, provenance, report) | stated if known else stated
+    return stated | _estimated(record, sources, provenance, report) if known else stated
 
 
 def _estimated(
     record: Record, sources: dict[str, Provenance], provenance: Provenance, report: Report
 ) -> dict[str, Any]:
-    """Return the moduli that are not given, and say in `sources` how they were estimated."""
-
-    def note(part: str, basis: str, text: str) -> None:
-        of = sources.get(basis, provenance)
-        sources.setdefault(part, Provenance(of.kind, of.source, of.date, f"estimated: {text}"))
-
-    moduli: dict[str, Any] = {}
-    if "shear_modulus" not in record:
-        moduli["shear_modulus"] = record["elastic_modulus"] / 3.0
-        note("shear_modulus", "elastic_modulus", "G = E/3, incompressible rubber")
+    """Return the moduli over the gross area, and say in `sources` how they were estimated."""
+    least = Block.LIMITS["height"].least
+    shape = record.get("block", record.get("replaced_block", {}))
+    height = {} if "height" in shape else {"height": record["thickness"]}
+    if "block" in record and height and record["thickness"] < least:
+        message = f"must be at least {display(least, 'length')}, the height of its blocks"
+        remedy = "Give the thickness, or a lagging without blocks."
+        report.add((*record.place, "thickness"), message, remedy, record.raw.get("thickness"))
+        return {}
+    height = {key: max(value, least) for key, value in height.items()}
+    block: Block | None = BLOCK.built(shape, report, **height)
+    moduli: dict[str, Any] = {"block" if "block" in record else "replaced_block": block}
+    contact = 1.0 if block is None else block.contact_fraction
+    moduli |= _shear_modulus(record, contact, sources, provenance)
     if "compression_modulus" not in record:
         basis = "elastic_modulus" if "elastic_modulus" in record else "shear_modulus"
         young = record[basis] * (1.0 if basis == "elastic_modulus" else 3.0)
-        shape = record.get("block", {})
-        height = {} if "height" in shape else {"height": record["thickness"]}
-        least = Block.LIMITS["height"].least
-        if height and shape and record["thickness"] < least:
-            message = f"must be at least {display(least, 'length')}, the height of its blocks"
-            remedy = "Give the thickness, or a lagging without blocks."
-            report.add((*record.place, "thickness"), message, remedy, record.raw.get("thickness"))
-            return {}
-        block: Block | None = BLOCK.built(shape, report, **height)
         moduli["compression_modulus"] = compression_modulus(young, block) if block else young
-        moduli["block"] = block
         text = _compression_note(block, "E" if basis == "elastic_modulus" else "3 G")
-        note("compression_modulus", "block" if "block" in sources else basis, text)
+        of = sources.get("block" if "block" in sources else basis, provenance)
+        sources.setdefault("compression_modulus", replace(of, note=f"estimated: {text}"))
     return moduli
+
+
+def _shear_modulus(
+    record: Record, contact: float, sources: dict[str, Provenance], provenance: Provenance
+) -> dict[str, float]:
+    """Return f G of blocks that cover a part of the area, or E/3 where G is not given."""
+    if "shear_modulus" not in record:
+        text = "G = E/3, incompressible rubber"
+        if contact < 1.0:
+            text += of_blocks(contact)
+        of = sources.get("elastic_modulus", provenance)
+        sources.setdefault("shear_modulus", replace(of, note=f"estimated: {text}"))
+        return {"shear_modulus": contact * (record["elastic_modulus"] / 3.0)}
+    if contact == 1.0:
+        return {}
+    own = sources.get("shear_modulus")
+    note = shear_note(contact)
+    if own is not None and own.note:
+        note += f"; {own.note}"
+    sources["shear_modulus"] = replace(own or provenance, note=note)
+    return {"shear_modulus": contact * record["shear_modulus"]}
+
+
+def of_blocks(contact: float) -> str:
+    """Say what a shear modulus of the rubber became where blocks cover a part of the area."""
+    return f", over the gross area times the contact fraction {contact:g}"
+
+
+def shear_note(contact: float) -> str:
+    """Say how a shear modulus that was given for the rubber came to be that over the gross area."""
+    return f"estimated: G of the rubber{of_blocks(contact)}"
 
 
 def _compression_note(block: Block | None, modulus: str) -> str:

@@ -50,7 +50,8 @@ BLOCK = Table(
     ),
     Entry(
         "contact_fraction",
-        "Part of the wrap area that the blocks cover; 1 if left out.",
+        "Part of the wrap area that the blocks cover, which bears all pressure and shear; 1 if "
+        "left out.",
     ),
     of=Block,
 )
@@ -261,10 +262,20 @@ _LAGGING = (
     Entry("surface", "Material that touches the belt.", Choice(SURFACES)),
     known("thickness", quantity="lagging_thickness", stated=True),
     Entry("elastic_modulus", "Young's modulus E of the rubber."),
-    known("shear_modulus", stated=True),
+    Entry(
+        "shear_modulus",
+        "Of the rubber, beside a block or over a preset with blocks: over the gross area it is "
+        "taken times their contact fraction. Without blocks that over the gross area, as a grooved "
+        "sample shows it. A third of the elastic modulus if left out.",
+        title="Shear modulus of the lagging",
+        stated=True,
+    ),
     known("compression_modulus", stated=True),
     Entry(
-        "block", "Shape of the blocks, to estimate the compression modulus.", BLOCK, title="Blocks"
+        "block",
+        "Shape of the blocks, to estimate the moduli over the gross area.",
+        BLOCK,
+        title="Blocks",
     ),
     known("wear_coefficient"),
     Entry("belt_energy_share", "Part of the frictional energy that the belt takes."),

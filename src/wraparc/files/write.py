@@ -4,6 +4,7 @@ import os
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from itertools import takewhile
+from math import inf, nextafter
 from typing import Any
 
 from wraparc import catalogue
@@ -28,6 +29,7 @@ from wraparc.files.conveyor_build import conveyor_of
 from wraparc.files.drive_build import Laggings, build_belt
 from wraparc.files.drive_file import drive_from_document
 from wraparc.files.drive_keys import BELT, CRITERIA, DRIVE, LOAD_CASE, PULLEY
+from wraparc.files.lagging_build import shear_note
 from wraparc.files.lagging_file import load_lagging_conditions
 from wraparc.files.lagging_keys import BLOCK, FIT, LAGGING_FILE, LAGGING_GIVEN
 from wraparc.files.law_tables import law_table
@@ -222,7 +224,7 @@ def _lagging_keys(lagging: Lagging) -> Tables:
         return {"lagging": lagging.name}
     if lagging in conditions:
         return {"lagging": lagging.name, "condition": lagging.condition}
-    usual, table = _common(conditions[0]), _common(lagging)
+    usual, table = _common(conditions[0]), _common(_of_rubber(lagging))
     changed = {
         key: table[key]
         for key in Lagging.LIMITS
@@ -256,18 +258,42 @@ def _lagging_table(laggings: Lagging | Sequence[Lagging]) -> Tables:
     table = {**commons[0], "law": laws if len(laws) > 1 else laws[0]}
     if first.block is None:
         return table
-    shaped = _with_blocks(table, first.block)
+    of_rubber = _common(_of_rubber(replace(first, notes=shared)))
+    shaped = _with_blocks({**of_rubber, "law": table["law"]}, first, first.block)
     again = _laggings_of(shaped)
     same = again == several and all(lagging.block == first.block for lagging in again)
     return shaped if same else table
 
 
-def _with_blocks(table: Tables, block: Block) -> Tables:
-    """Return the table of a lagging with its blocks in the place of the modulus that they make."""
-    part = "compression_modulus"
-    sources = {k: of for k, of in (table.get("sources") or {}).items() if k != part}
-    rest = {key: value for key, value in table.items() if key not in (part, "sources")}
+def _with_blocks(table: Tables, lagging: Lagging, block: Block) -> Tables:
+    """Return the table of a lagging with its blocks in the place of the moduli that they make."""
+    made = ("compression_modulus", *(("shear_modulus",) if _follows(lagging) else ()))
+    sources = {k: of for k, of in (table.get("sources") or {}).items() if k not in made}
+    rest = {key: value for key, value in table.items() if key not in (*made, "sources")}
     return {**rest, "block": BLOCK.written(block), **({"sources": sources} if sources else {})}
+
+
+def _follows(lagging: Lagging) -> bool:
+    """Whether blocks on a part of the area make the shear modulus out of the elastic modulus."""
+    contact, young = lagging.contact_fraction, lagging.elastic_modulus
+    return contact < 1.0 and young is not None and lagging.shear_modulus == contact * (young / 3.0)
+
+
+def _of_rubber(lagging: Lagging) -> Lagging:
+    """Return a lagging with the shear modulus, and its source, that files have beside blocks."""
+    contact = lagging.contact_fraction
+    if contact == 1.0 or _follows(lagging):
+        return lagging
+    quotient, sources = lagging.shear_modulus / contact, dict(lagging.sources)
+    # the shortest whose product it is: a division leaves digits, and may miss by the last one
+    near = (float(f"{quotient:.14g}"), quotient, nextafter(quotient, 0.0), nextafter(quotient, inf))
+    shear = next((g for g in near if contact * g == lagging.shear_modulus), quotient)
+    of = sources.pop("shear_modulus", None)
+    if of is not None:
+        of = replace(of, note=of.note.removeprefix(shear_note(contact)).removeprefix("; "))
+        if of != replace(lagging.provenance, note=""):
+            sources["shear_modulus"] = of
+    return replace(lagging, shear_modulus=shear, sources=sources)
 
 
 def _laggings_of(table: Tables) -> tuple[Lagging, ...]:

@@ -157,7 +157,7 @@ class DrumState:
 def drum_of(station: Station, event: Event, steady: CaseResult, i: int, points: int) -> DrumState:
     """Return one drum of a station, at rest."""
     member, drum = steady.members[i], station.drums[i]
-    pulley, case = station.train.pulleys[i], station.train.case(station.load_case)
+    pulley, case = station.pulleys[i], station.train.case(station.load_case)
     pair = (member.arc.entry_tension, member.arc.exit_tension)
     arc = MovingArc(arc_of(station.train, case, pulley, pair), points)
     duty = duty_of(station, steady, i)

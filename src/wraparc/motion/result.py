@@ -236,7 +236,7 @@ class RunResult:
 
     def wear_depth(self, name: str) -> float | None:
         """Wear of the lagging over the event, evenly around the shell; None if not known [m]."""
-        coefficient = self.station.train.pulleys[self.station.index(name)].lagging.wear_coefficient
+        coefficient = self.station.pulleys[self.station.index(name)].lagging.wear_coefficient
         return None if coefficient is None else coefficient * self.energy_per_area(name)
 
     def _tensions(self, which: str) -> Iterator[Peak]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import ClassVar, Literal
 
-from wraparc.drive import Limit
+from wraparc.drive import Limit, Pulley
 from wraparc.errors import Problem, input_error, nearest, shown
 from wraparc.motion.control import Control, Droop, Follower, Trim
 from wraparc.schema.limits import limit_problems, raise_all
@@ -150,6 +150,11 @@ class Station:
             message = "every drive follows another one: one must hold the speed"
             problems.append(Problem(key="motor", message=message))
         return problems
+
+    @property
+    def pulleys(self) -> tuple[Pulley, ...]:
+        """The pulleys in belt order, their laggings in the condition of the load case."""
+        return self.train.in_case(self.train.case(self.load_case)).pulleys
 
     @property
     def names(self) -> tuple[str, ...]:

@@ -101,7 +101,11 @@ LAGGING = Table(
     Entry("description", kind=Text(2000, lines=True)),
     Entry("surface", "Material that touches the belt.", Choice(SURFACES)),
     Entry("thickness", "Thickness that shears.", _LENGTH),
-    Entry("shear_modulus", "G of the rubber.", _MODULUS),
+    Entry(
+        "shear_modulus",
+        "G over the gross area: of the rubber, times the part of the area that blocks cover.",
+        _MODULUS,
+    ),
     Entry("elastic_modulus", "E of the rubber.", _MODULUS),
     Entry("compression_modulus", "E_c over the gross area.", _MODULUS),
     Entry(

@@ -236,10 +236,7 @@ class DriveSource:
                 columns["diameter"] = columns["diameter"] - 2.0 * values[name]
                 columns["lagging_thickness"] = columns["lagging_thickness"] - values[name]
         valid &= columns["lagging_thickness"] >= 0.0
-        if "compression_modulus" not in (self._columns[f] for f in self._columns if f in values):
-            laggings = [d.pulley(self.pulley).lagging for d in drives]
-            thickness = columns["lagging_thickness"]
-            columns["compression_modulus"] = compression_moduli(laggings, which, thickness)
+        self._over_gross_area(columns, values, drives, which)
         if self.divides is not None:
             divided = self.divides.solve(values, size, load_case, self.setting)
             entries, exits = divided.entries, divided.exits
@@ -285,6 +282,19 @@ class DriveSource:
         stiffness = arcs.belt_width * arcs.belt_modulus
         entry = entries[self._names.index(self.pulley)]
         return np.asarray(strain_ratio(entry, entries[0], stiffness))
+
+    def _over_gross_area(
+        self, columns: dict[str, Array], values: Values, drives: Sequence[Drive], which: Integers
+    ) -> None:
+        """Set the moduli over the gross area: files have G of the rubber, E_c follows h."""
+        varied = {self._columns[f] for f in self._columns if f in values}
+        laggings = [d.pulley(self.pulley).lagging for d in drives]
+        if "shear_modulus" in varied:
+            contact = np.array([lagging.contact_fraction for lagging in laggings])
+            columns["shear_modulus"] = columns["shear_modulus"] * contact[which]
+        if "compression_modulus" not in varied:
+            thickness = columns["lagging_thickness"]
+            columns["compression_modulus"] = compression_moduli(laggings, which, thickness)
 
     def _with_motors(self, held: Held, of_train: Mapping[str, Array], load_case: str) -> Held:
         """Return what rows are held against, with load of the motors and what they bear."""

@@ -102,6 +102,10 @@ class TrainColumns:
             if name in values
             for column in own
         }
+        for pulley in self.train.pulleys:
+            key = f"{pulley.name}.shear_modulus"  # a file has that of the rubber
+            if key in columns:
+                columns[key] = columns[key] * pulley.lagging.contact_fraction
         if any(key in _TENSIONS or key.endswith(".run") for key in columns):
             for key in self.given:
                 columns.setdefault(key, np.full(size, getattr(case, key)))

@@ -164,7 +164,8 @@ def _lagging(name: str) -> CatalogueLagging:
         surface=first.surface,
         conditions=list(covered(conditions)),
         thickness=_or_rigid(first.thickness, "length"),
-        shear_modulus=_or_rigid(first.shear_modulus, "pressure"),
+        # as a file has it beside blocks: that of the rubber
+        shear_modulus=_or_rigid(first.shear_modulus / first.contact_fraction, "pressure"),
         compression_modulus=_or_rigid(first.compression_modulus, "pressure"),
         kind=origin.kind,
         source=str(origin),

@@ -71,6 +71,34 @@ export interface AcrossWearRequest {
   /** Run since the lagging was new, to tell how fast it wears. */
   hours?: number | null;
 }
+export interface Action {
+  text: Text;
+  ways: Way[];
+}
+export interface ActionAnswer {
+  sequence: number;
+  action: Action | null;
+}
+export interface ActionRequest {
+  /** Tables of a drive file: the same keys and the same texts for quantities. */
+  document: Record<string, any>;
+  /** Only this one. */
+  load_case?: string | null;
+  /** Comes back as it is. */
+  sequence?: number;
+}
+export interface Also {
+  level: Level;
+  name: string;
+  place: Record<string, string | number | null> | null;
+  quantity: string | null;
+  value: number | null;
+  limit: number | null;
+  unit: string | null;
+  relation: "exceeds" | "below" | "within" | "none";
+  used: number | null;
+  text: Text;
+}
 export interface Bar {
   name: string;
   title: string;
@@ -117,14 +145,14 @@ export interface Candidate {
   title: string;
   condition: string;
   level: Level;
-  word: string;
+  label: string;
   short: string;
   status_text: string;
   cells: Record<string, Compared>;
   cost_note: string;
   kind: string;
   source: string;
-  change: Change[];
+  change: wraparc__web__answers__compare__Change[];
   present: boolean;
 }
 export interface Catalogue {
@@ -160,10 +188,6 @@ export interface CatalogueLagging {
   source: string;
   tested: TestedTexts | null;
   notes: string[];
-}
-export interface Change {
-  path: string;
-  value: string | null;
 }
 export interface CheckRequest {
   document?: Record<string, any> | null;
@@ -477,8 +501,8 @@ export interface FoundValue {
   value: number;
   shown: Text;
   level: Level;
-  word: string;
-  headline: Text;
+  label: string;
+  text: Text;
 }
 export interface Impossible {
   name: string;
@@ -546,7 +570,7 @@ export interface LeastTension {
   sentence: Text;
   table: Table;
 }
-export type Level = "NOT CHECKED" | "OK" | "ATTENTION" | "FAILS" | "FAULT OF THE PROGRAM";
+export type Level = "NOT CHECKED" | "OK" | "ATTENTION" | "FAILS" | "INTERNAL ERROR";
 export interface Map {
   across: string;
   down: string;
@@ -872,6 +896,8 @@ export interface SolveRequest {
   points?: number;
   /** Whether to send the checks as numbers, of which the page goes on. */
   prepared?: boolean;
+  /** Whether changes are tried for the action; else see `/solve/action`. */
+  search?: boolean;
   sequence?: number;
 }
 export interface Source {
@@ -1045,9 +1071,24 @@ export interface Units {
 }
 export interface Verdict {
   level: Level;
-  word: string;
-  headline: Text;
-  action: Text;
+  label: string;
+  name: string;
+  place: Record<string, string | number | null> | null;
+  quantity: string | null;
+  value: number | null;
+  limit: number | null;
+  unit: string | null;
+  relation: "exceeds" | "below" | "within" | "none";
+  used: number | null;
+  text: Text;
+  action: Action | null;
+  also: Also[];
+  wet: Record<string, any> | null;
+  reserve: Text[];
+  data: Record<string, any> | null;
+  passed: number | null;
+  missed: number | null;
+  not_checked: string[];
   sentences: Text[];
 }
 export interface VersionAnswer {
@@ -1077,6 +1118,12 @@ export interface VersionRow {
   who: string;
   note: string;
   program: string;
+}
+export interface Way {
+  changes: wraparc__web__answers__shown__Change[];
+  proved: boolean;
+  left: number;
+  text: Text;
 }
 export interface WhatIfRequest {
   /** Tables of a drive file: the same keys and the same texts for quantities. */
@@ -1136,6 +1183,16 @@ export interface WriteAnswer {
   problems: ToldProblem[];
   toml: string;
   name: string;
+}
+export interface wraparc__web__answers__compare__Change {
+  path: string;
+  value: string | null;
+}
+export interface wraparc__web__answers__shown__Change {
+  key: string;
+  from: number | string;
+  to: number | string;
+  unit: string | null;
 }
 export type Text = string | Number | TextWithNumbers;
 export type Dimension =

@@ -1349,7 +1349,7 @@ function in_page_checks__remarks_of(drive, verdict) {
 let left;
 
 (left = (function* () { for (const of of $iter(drive.laggings)) { if (!(($truth(of.fit) && $truth(of.fit.knots)))) continue; yield $m.format("The interval of the creep that the fit of {} leaves is not found in this page; wraparc solve tells it.", [$bound(of, "name")], $map([])); } })());
-return [...$iter(verdict.data), ...$iter($b.fromkeys(left))];
+return [...$iter(verdict.remarks), ...$iter($b.fromkeys(left))];
 }
 function in_page_checks__weak_kinds(drive) {
 let _, found, grounds, pulley;
@@ -1357,7 +1357,7 @@ let _, found, grounds, pulley;
 (found = []);
 for (pulley of $iter(drive.pulleys)) {
 ([grounds, _] = of_data__law_words($bound(pulley, "lagging")));
-(found = $add(found, [...$iter(grounds), ...$iter((function* () { for (const [kind, _] of $iter(of_data__weak_sources(drive, pulley))) { yield kind; } })())]));
+(found = $add(found, [...$iter(grounds), ...$iter((function* () { for (const weak of $iter(of_data__weak_sources(drive, pulley))) { yield $at(weak, 0); } })())]));
 }
 return [...(function* () { for (const kind of $iter($c5dd1)) { if (!(($in(kind, found)))) continue; yield kind; } })()];
 }
@@ -1371,19 +1371,19 @@ let friction, law, untested, words;
 return [[law, ...$iter(($truth(untested) ? ["untested"] : []))], words];
 }
 function* of_data__weak_sources(drive, pulley) {
-let belt, lagging, owners, source, told, what;
+let belt, key, lagging, owner, owners, source, stated;
 
 ([lagging, belt] = [pulley.lagging, drive.belt]);
-(owners = [[lagging.name, $map([...(function* () { for (const [k, v] of $iter($m.items(lagging.sources))) { if (!((!$eq(k, "law")))) continue; yield [k, v]; } })()])], ["the belt", belt.sources], [("" + "pulley " + $str(pulley.name)), pulley.sources]]);
-(told = [...(function* () { for (const [owner, of] of $iter(owners)) { for (const [k, v] of $iter($m.items(of))) { yield [("" + $str($m.replace(k, "_", " ")) + " of " + $str(owner)), v]; }} })()]);
+(owners = [[lagging.name, $map([...(function* () { for (const [k, v] of $iter($m.items(lagging.sources))) { if (!((!$eq(k, "law")))) continue; yield [k, v]; } })()])], ["belt", belt.sources], [("" + "pulley " + $str(pulley.name)), pulley.sources]]);
+(stated = [...(function* () { for (const [owner, of] of $iter(owners)) { for (const [key, source] of $iter($m.items(of))) { yield [key, owner, source]; }} })()]);
 if (((pulley.across != null) && (belt.in_plane_shear_stiffness == null))) {
-yield ["estimated", "in-plane shear stiffness of the belt"];
+yield ["estimated", "in_plane_shear_stiffness", "belt"];
 }
 if (($truth(pitch__covered(belt)) && (belt.cover_shear_modulus == null))) {
-yield ["estimated", "cover shear modulus of the belt"];
+yield ["estimated", "cover_shear_modulus", "belt"];
 }
-for ([what, source] of $iter([...$iter(told), ["the belt", belt.provenance]])) {
-yield* $iter((function* () { for (const kind of $iter(of_data__weaknesses(source))) { yield [kind, what]; } })());
+for ([key, owner, source] of $iter([...$iter(stated), ["belt", "belt", belt.provenance]])) {
+yield* $iter((function* () { for (const kind of $iter(of_data__weaknesses(source))) { yield [kind, key, owner]; } })());
 }
 }
 function pitch__covered(belt) {
@@ -1411,23 +1411,24 @@ return pull__idles($bound(arc, "entry_tension"), $bound(arc, "exit_tension"));
 }
 function judge__judge(result) {
 
-if ((!$in(result, $c66b4))) {
-$put($c66b4, result, new Verdict(judge__sound(judge__every_check(result), least_tension__least_tension(result))));
+if ((!$in(result, $c8123))) {
+$put($c8123, result, new Verdict(judge___placed(judge__every_check(result), judge___conditions(result))));
 }
-return $at($c66b4, result);
+return $at($c8123, result);
 }
 function judge__every_check(result) {
 
 return $b.tuple(($truth($b.isinstance(result, TrainResult)) ? judge___train(result) : judge___drive(result)));
 }
 function* judge___train(result) {
-let case_, check, checks, failing;
+let case_, check, checks, failing, opposing;
 (checks = [...$iter(judge___of_members(result))]);
 (failing = new Set((function* () { for (const check of $iter(checks)) { if (!((check.level === "FAILS"))) continue; yield check.place.load_case; } })()));
 for (check of $iter(checks)) {
-if ((($eq(check.name, "fight")) && $truth(check.missed) && ($in(check.place.load_case, failing)))) {
+(opposing = $and(($eq(check.name, "opposing_drives")), () => check.missed));
+if (($truth(opposing) && ($in(check.place.load_case, failing)))) {
 (case_ = result.train.case($bound(check.place, "load_case")));
-if (($at($at(check.more, "lost"), 0) > $mul(0.1, $b.abs($bound(case_, "effective_tension"))))) {
+if ((check.value > $mul(0.1, $b.abs($bound(case_, "effective_tension"))))) {
 yield $replaced(check, new Map([["level", "FAILS"]]));
 continue;
 }
@@ -1436,7 +1437,7 @@ yield check;
 }
 }
 function* judge___of_members(result) {
-let adrift, case_, check, title;
+let adrift, case_, check, why;
 for (case_ of $iter(result)) {
 yield* $iter(of_train__of_case($bound(result, "train"), case_));
 if ($truth($b.isinstance(case_.case.division, Pulls))) {
@@ -1446,8 +1447,8 @@ yield* $iter(of_train__meetings(case_));
 (adrift = new Set((function* () { for (const case_ of $iter(result)) { if (!($truth(case_.adrift))) continue; yield case_.case.name; } })()));
 for (check of $iter(judge___drive(result.drive_result(), ...$iter(usual__owners_of($bound(result, "train")))))) {
 if ((($eq(check.name, "gross_slip")) && ($in(check.place.load_case, adrift)))) {
-(title = $m.format("Safety against gross slip, {}", [$bound(result.train.case($bound(check.place, "load_case")), "kind")], $map([])));
-yield rule__not_checked($bound(check, "name"), title, "no division of the load is found", $bound(check, "place"));
+(why = "load not divided");
+yield rule__not_checked($bound(check, "name"), "Gross-slip safety", "gross-slip safety", $bound(check, "place"), undefined, why);
 } else {
 yield check;
 }
@@ -1468,7 +1469,7 @@ return null;
 }
 if ($truth(several)) {
 (lost = numbers__pull_against([...(function* () { for (const m of $iter(case_.members)) { yield m.arc.effective_tension; } })()]));
-yield of_train__fight(lost, place, $bound(case_.case, "division"));
+yield of_train__check_opposing_drives(lost, place, $bound(case_.case, "division"));
 (driven = [...(function* () { for (const [p, m] of $iter($b.zip($bound(train, "pulleys"), $bound(case_, "members"), $k({strict: true})))) { if (!(!$truth(rule__idle($bound(m.arc, "arc"))))) continue; yield p; } })()]);
 yield* $iter(of_drive__unknown_trims($bound(train, "belt"), driven, place));
 }
@@ -1482,30 +1483,26 @@ function of_train___motors(case_) {
 return ($truth($b.isinstance(case_.division, Motors)) ? case_.division.motors : []);
 }
 function of_train__operating_point(status, reason, place, overrun = false) {
-let _, fault, remedy, says, shorts;
+let action, fault, headline, label;
 
-([says, _, remedy] = $m.partition($b.str(status), ". "));
-if ($truth(overrun)) {
-(remedy = ("" + "Set brakes = true for its motor if its drive can hold back. " + $str(remedy)));
-}
 (fault = (status === "The solver did not reach its accuracy on this train. Please report the drive file; until then change a value slightly."));
-(shorts = $map([["Breakaway: a drive cannot hold its part of the load. Raise the slack-side tension (take-up), bring the speeds closer together, or choose a lagging with more friction.", "gross slip"], ["No operating point: a motor would have to work beyond its curve. Change its set speed or gear, or choose another motor.", "beyond a motor"]]));
-return new Check("operating_point", "Operating point of the drives", ($truth(fault) ? "FAULT OF THE PROGRAM" : "FAILS"), place, undefined, undefined, undefined, undefined, undefined, $m.get(shorts, status, "not solved"), check__escaped($m.strip(("" + $str(reason) + " " + $str(says) + "."))), check__escaped(remedy));
+([headline, label, action] = $at($c3340, status));
+return new Check("operating_point", "Operating point", ($truth(fault) ? "INTERNAL ERROR" : "FAILS"), place, undefined, "operating point", undefined, undefined, undefined, undefined, undefined, headline, ($truth(overrun) ? "Set brakes = true if the drive can brake." : action), check__escaped(reason), label);
 }
 function check__escaped(text) {
 
 return $m.replace($m.replace(text, "{", "{{"), "}", "}}");
 }
 function* of_train__not_working(place) {
-let name, title;
+let name, noun, title;
 
-for ([name, title] of $iter([["fight", "Drives work together"], ["train_balance", "Tensions, speeds and torques of the train agree"]])) {
-yield rule__not_checked(name, title, "the drives do not carry the load", place);
+for ([name, title, noun] of $iter([["opposing_drives", "Opposing drives", "opposing drives"], ["train_balance", "Balance of drives", "balance of drives"]])) {
+yield rule__not_checked(name, title, noun, place, undefined, "no operating point");
 }
 }
-function rule__not_checked(name, title, why, place) {
+function rule__not_checked(name, title, noun, place, missing = "", why = "") {
 
-return new Check(name, title, "NOT CHECKED", place, undefined, undefined, undefined, undefined, undefined, why, check__escaped(("" + $str(title) + ": not checked, " + $str(why) + ".")));
+return new Check(name, title, "NOT CHECKED", place, undefined, noun, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, missing, why);
 }
 function numbers__pull_against(pulls) {
 let small;
@@ -1516,19 +1513,19 @@ return 0.0;
 }
 return $b.min($b.sum((function* () { for (const p of $iter(pulls)) { yield $b.max(p, 0.0); } })()), $b.sum((function* () { for (const p of $iter(pulls)) { yield $b.max($neg(p), 0.0); } })()));
 }
-function of_train__fight(lost, place, division) {
-let fights, remedy;
+function of_train__check_opposing_drives(opposing, place, division) {
+let action, opposes;
 
-(fights = (lost > 0.0));
-(remedy = "Bring their speeds closer together, or divide the load by torque.");
+(opposes = (opposing > 0.0));
+(action = "Try torque sharing, or closer speeds (wraparc trim).");
 if ($truth($b.isinstance(division, Shares))) {
-(remedy = "Correct the shares: one below 0 % brakes against the others.");
+(action = "Give shares above 0 %.");
 } else {
 if ($truth($b.isinstance(division, Pulls))) {
-(remedy = "Correct the tensions: one of the pulleys is given as braking.");
+(action = "Give tensions with which every pulley drives.");
 }
 }
-return new Check("fight", "Drives work together", ($truth(fights) ? "ATTENTION" : "OK"), place, undefined, undefined, undefined, undefined, undefined, ($truth(fights) ? "drives fight" : ""), ($truth(fights) ? "The drives work against each other with {lost} of pull." : ""), ($truth(fights) ? remedy : ""), undefined, $map([["lost", [lost, "force"]]]));
+return new Check("opposing_drives", "Opposing drives", ($truth(opposes) ? "ATTENTION" : "OK"), place, "opposing_tension", "opposing drives", ($truth(opposes) ? opposing : NaN), undefined, "force", undefined, undefined, ($truth(opposes) ? "Drives oppose each other by {value}" : ""), ($truth(opposes) ? action : ""), undefined, ($truth(opposes) ? "drives oppose" : ""));
 }
 function* of_drive__unknown_trims(belt, pulleys, at) {
 let first, opposite, place, pulley, shift;
@@ -1561,48 +1558,46 @@ return $b.abs($sub((0.005 / $mul(0.5, first)), (0.005 / $mul(0.5, other))));
 function of_drive__unknown_trim(first, shift, opposite, place) {
 let why;
 
-(why = ("" + "{layer} of belt on drums of two diameters shifts it by {shift} % against " + $str(first) + "."));
+(first = check__escaped(first));
 if ($truth(opposite)) {
-(why = ("" + "it meets the other side of the belt than " + $str(first) + ", and covers that differ by {apart} shift it by {shift} %."));
+(why = ("" + "The belt turns its other side to " + $str(first) + ": covers that differ by {apart} were assumed."));
+} else {
+(why = ("" + "{layer} of belt assumed: pulleys of two diameters, compared with " + $str(first) + "."));
 }
-return new Check("belt_thickness", "Trim by the thickness of the belt", "ATTENTION", place, undefined, undefined, undefined, undefined, undefined, "trim without belt thickness", ("" + "The trim of " + $str(check__escaped($bound(place, "pulley"))) + " is that of a belt without thickness: " + $str(why)), "Give the pulley cover, carry cover and carcass of the belt.", undefined, $map([["shift", [$mul(100.0, shift), "number"]], [($truth(opposite) ? "apart" : "layer"), [($truth(opposite) ? 0.004 : 0.01), "length"]]]), false);
+return new Check("belt_thickness", "Trim, belt thickness", "ATTENTION", place, undefined, "trim", undefined, undefined, undefined, undefined, undefined, "Trim uncertain by {shift} %: belt thickness missing", "Give pulley_cover, carry_cover and carcass.", why, "trim without belt thickness", undefined, undefined, undefined, $map([["shift", new Amount($mul(100.0, shift), "number")], [($truth(opposite) ? "apart" : "layer"), new Amount(($truth(opposite) ? 0.004 : 0.01), "length")]]), false);
 }
 function of_train__train_balance(error, place) {
-let words;
+let text;
 
-(words = new Words("Tensions, speeds and torques of the train agree", "tolerance of the program", "out of balance", "Tensions, speeds and torques of the train miss each other by {value}.", undefined, undefined, "Please report the drive file; until then change a value slightly."));
-return $cb138.judged(error, 1e-05, place, words);
+(text = new CheckText("Balance of drives", "drive balance error", "Drive balance error {value} exceeds {limit}", undefined, "Do not use this result. Report the drive file.", undefined, "internal error", "tolerance of the program"));
+return $cb138.compare(error, 1e-05, place, text);
 }
 function of_train___motor(member, motor, case_, helps) {
-let at, momentary;
+let at, load, momentary, most;
 
 ([at, momentary] = [new Place($bound(member, "name"), $bound(case_, "name")), (!$eq(case_.kind, "running"))]);
 if (((member.motor == null) || !$truth($b.isinstance(motor, Motor)))) {
 return of_train__unrated(momentary, at);
 }
-return of_train__motor_load($bound(member.motor, "motor_load"), motor.bears(momentary), momentary, at, helps);
+([load, most] = [member.motor.motor_load, motor.bears(momentary)]);
+return of_train__motor_load(load, most, momentary, at, helps, $bound(motor, "rated_power"));
 }
 function of_train__unrated(momentary, place) {
-let name, why;
+let name, title;
 
 (name = ($truth(momentary) ? "momentary_load" : "motor_load"));
-(why = "a drive that follows another gives no rating of its motors");
-return rule__not_checked(name, $at($c625f, momentary), why, place);
-}
-function of_train__motor_load(load, most, momentary, place, helps) {
-let other, remedy, title, words;
-
 (title = $at($c625f, momentary));
-(remedy = "Divide the load otherwise (diameters, speeds, torque sharing), or take larger motors.");
-if (!$truth(helps)) {
-(remedy = "Take larger motors: no other division of the load helps.");
+return rule__not_checked(name, title, "motor torque", place, undefined, "a follower has no motor rating");
 }
-if ($truth(momentary)) {
-(other = ($truth(helps) ? "divide the load otherwise, " : ""));
-(remedy = ("" + "Start and stop more slowly, " + $str(other) + "or take larger motors."));
+function of_train__motor_load(load, most, momentary, place, helps, power) {
+let action, text;
+
+(action = ($truth(momentary) ? "Try a slower start." : ($truth(helps) ? "Try torque sharing." : "")));
+if ($truth($math.isfinite(power))) {
+(action = "Use motors of {power} or more.");
 }
-(words = new Words(title, ($truth(momentary) ? "IEC 60034-1: 1.6 times the rated torque for 15 s; no stall at 90 % of the voltage (NEMA MG 1-12.44, condensed edition of 2011: torque falls with its square)" : "rating of the motor, continuous duty"), "motor overloaded", "The motors work at {percent} % of their rated torque, and may at {most} %.", "The usual service factor, 1.15, does not cover that (NEMA MG 1-14.37: up to that of the nameplate).", undefined, remedy, undefined, $map([["percent", [$mul(100.0, $b.abs(load)), "number"]], ["most", [$mul(100.0, most), "number"]]])));
-return ($truth(momentary) ? $c58a5 : $c0dbc).judged($b.abs(load), most, place, words);
+(text = new CheckText($at($c625f, momentary), "motor torque", $add("Motor torque {value} exceeds the {limit} ", ($truth(momentary) ? "momentary limit" : "rating")), undefined, action, ($truth(momentary) ? "" : "Above 115 % no usual service factor covers it (NEMA MG 1-14.37)."), "motor torque", ($truth(momentary) ? "IEC 60034-1: 1.6 times the rated torque for 15 s; no stall at 90 % of the voltage (NEMA MG 1-12.44, condensed edition of 2011: torque falls with its square)" : "rating of the motor, continuous duty"), $map([["power", new Amount(($mul(power, $b.abs(load)) / most), "power", "up")]])));
+return ($truth(momentary) ? $c58a5 : $c0dbc).compare($b.abs(load), most, place, text);
 }
 function* of_train__meetings(case_) {
 let ends, one, other, place;
@@ -1618,7 +1613,7 @@ function* of_drive__meeting(before, leaves, after, enters, place) {
 if (($b.abs($sub(leaves, enters)) <= $mul(0.02, $b.max(leaves, enters)))) {
 return null;
 }
-yield new Check("meeting", "Tensions of neighbouring pulleys meet", "ATTENTION", place, undefined, undefined, undefined, undefined, undefined, "tensions do not meet", ("" + "The belt leaves pulley " + $str(check__escaped(before)) + " with {leaves} and enters pulley " + $str(check__escaped(after)) + " with {enters}: taken as what the run between them adds."), ("" + "If none does, correct the tensions or the order of the pulleys; if one does, give what the run before pulley " + $str(check__escaped(after)) + " adds."), undefined, $map([["leaves", [leaves, "force"]], ["enters", [enters, "force"]]]), false);
+yield new Check("meeting", "Tension between pulleys", "ATTENTION", place, undefined, "tension between pulleys", undefined, undefined, undefined, undefined, undefined, ("" + "Belt leaves " + $str(check__escaped(before)) + " at {leaves} but enters " + $str(check__escaped(after)) + " at {enters}"), "Give equal tensions, or the run's rise {rise}.", undefined, "tensions differ", undefined, undefined, undefined, $map([["leaves", new Amount(leaves, "force")], ["enters", new Amount(enters, "force")], ["rise", new Amount($sub(enters, leaves), "force")]]), false);
 }
 function* usual__owners_of(train) {
 let division, kinds, motor, pulley, turns;
@@ -1654,7 +1649,6 @@ yield* $iter(usual__usual_sizes(drive, ...$iter(others)));
 for (pulley of $iter(drive.pulleys)) {
 yield of_data__data(drive, pulley);
 }
-yield* $iter(of_data__belt_mass(drive));
 }
 function* judge___case(drive, case_, arcs) {
 let index, pulley, result, rule, spot;
@@ -1671,17 +1665,16 @@ yield of_drive__sense(case_, pulley);
 }
 }
 function of_arc__grip(drive, case_, arcs, index) {
-let name, place, result, title;
+let name, place, result;
 
 (result = $at(arcs, index));
 (name = "gross_slip");
 (place = new Place($bound(result.arc, "pulley"), $bound(case_, "name")));
-(title = $m.format("Safety against gross slip, {}", [$bound(case_, "kind")], $map([])));
 if ((result.status === "The solver did not reach its accuracy on this arc. Please report the drive file; until then change a value slightly.")) {
-return new Check(name, title, "FAULT OF THE PROGRAM", place, undefined, undefined, undefined, undefined, undefined, "not solved", check__escaped($b.str($bound(result, "status"))));
+return new Check(name, "Gross-slip safety", "INTERNAL ERROR", place, undefined, "gross-slip safety", undefined, undefined, undefined, undefined, undefined, "No solution", "Do not use this result. Report the drive file.", check__escaped($b.str($bound(result, "status"))), "not solved");
 }
 if ($truth(rule__idle($bound(result, "arc")))) {
-return new Check(name, "No pull to carry", "OK", place, undefined, undefined, undefined, undefined, undefined, "not driven");
+return new Check(name, "Gross-slip safety", "OK", place, undefined, "gross-slip safety", undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, "not driven");
 }
 return of_arc__of_sliding(drive, case_, result, in_page_checks__sliding(result));
 }
@@ -1690,39 +1683,33 @@ function in_page_checks__sliding(result, _rise = null) {
 return new Sliding($bound(result.found, "place"), $bound(result.found, "cause"));
 }
 function of_arc__of_sliding(drive, case_, result, found) {
-let by, check, factor, first, gone, lagging, place, rule, safety, says, take_up, title, value, words;
+let check, factor, gone, lagging, place, rule, safety, take_up, tested, text, value, why;
 
-([safety, take_up, lagging] = [drive.criteria.safety, drive.criteria.take_up, result.arc.pulley]);
+([safety, take_up] = [drive.criteria.safety, drive.criteria.take_up]);
 ([rule, factor, gone] = [$c84c4, safety.of($bound(case_, "kind")), !$truth($told($c4a3b, result.status, "solved"))]);
-([by, first] = $at($c48c7, found.cause));
-(title = ("" + $str($m.format("Safety against gross slip, {}", [$bound(case_, "kind")], $map([]))) + ", " + $str(by)));
 (place = new Place($bound(result.arc, "pulley"), $bound(case_, "name")));
 if (($truth($math.isnan($bound(found, "place"))) && !$truth(gone))) {
-return rule__not_checked($bound(rule, "name"), title, "where the belt slides was not found", place);
+(why = "gross slip not located");
+return rule__not_checked($bound(rule, "name"), "Gross-slip safety", "gross-slip safety", place, undefined, why);
 }
-if (($eq(found.cause, 1))) {
+(tested = $and(($eq(found.cause, 1)), () => !$truth(gone)));
+if ($truth(tested)) {
 (rule = $replaced(rule, new Map([["fails_beyond", NaN]])));
 }
-(first = $m.replace(first, "⟦lagging⟧", check__escaped($bound(drive.pulley(lagging).lagging, "name"))));
-(says = ("" + $str(first) + " at {value} times the pull, below {limit}; safety factor " + $str(case_.kind) + ", "));
-(says = $add(says, ("" + $str(of_arc__held_words(take_up)) + ".")));
-(words = new Words(title, ("" + "safety factor " + $str(case_.kind) + ": " + $str($or(safety.source, () => "taken where the drive file says nothing"))), (($eq(found.cause, 1)) ? "pull beyond tests" : "near gross slip"), says, "So it slides.", undefined, "Raise the slack-side tension, enlarge the wrap angle, or choose a lagging with more friction.", "No slack-side tension is enough: enlarge the wrap angle, or choose a lagging with more friction.", $map([["slides", [0.0635, "length"]]])));
+(lagging = check__escaped($bound(drive.pulley($bound(result.arc, "pulley")).lagging, "name")));
 (value = ($truth(gone) ? $b.min($bound(found, "place"), 0.999) : found.place));
-(check = rule.judged(value, factor, place, words));
-if (!$truth(gone)) {
-return check;
+(text = new CheckText("Gross-slip safety", "gross-slip safety", ($truth(tested) ? "Slip leaves the tested range at {value} times Te, minimum {limit}" : "Gross-slip safety {value} is below the {limit} minimum"), "Gross slip: safety {safety} is below {one}", undefined, ("" + $str($m.replace($at($c48c7, found.cause), "⟦lagging⟧", lagging)) + " Safety factor " + $str(case_.kind) + ", " + $str(of_arc__constant_words(take_up)) + "."), ($truth(tested) ? "slip beyond tests" : "gross slip"), ("" + "safety factor " + $str(case_.kind) + ": " + $str($or(safety.source, () => "default of wraparc"))), $map([["slides", new Amount(0.0635, "length")], ["safety", new Amount(value, "number")], ["one", new Amount(1.0, "number")]])));
+(check = rule.compare(value, factor, place, text));
+return ($truth(gone) ? $replaced(check, new Map([["level", "FAILS"], ["headline", "Gross slip: safety {safety} is below {one}"]])) : check);
 }
-(says = ("" + "Gross slip: no creep carries the pull. " + $str(says)));
-return $replaced(check, new Map([["level", "FAILS"], ["says", says], ["short", "gross slip"], ["miss", null]]));
-}
-function of_arc__held_words(take_up) {
+function of_arc__constant_words(take_up) {
 let where;
 
 if ($truth(take_up.fixed)) {
-return "T1 + T2 held (fixed take-up)";
+return "T1 + T2 constant (fixed take-up)";
 }
 (where = ($truth(take_up.after) ? ("" + "tension behind pulley " + $str(take_up.after)) : "T2"));
-return ("" + $str(check__escaped(where)) + " held (gravity take-up)");
+return ("" + $str(check__escaped(where)) + " constant (gravity take-up)");
 }
 function rules__spot_of(drive, case_, pulley, result = null) {
 let belt, driving, first, known, last, slack, tensions;
@@ -1750,47 +1737,44 @@ return result.found.slip_speed;
 }
 function of_arc__no_state(result) {
 
-if ((result.status === "The solver did not reach its accuracy on this arc. Please report the drive file; until then change a value slightly.")) {
-return "the arc was not solved";
-}
-return "in gross slip the belt has no state at rest";
+return ((result.status === "The solver did not reach its accuracy on this arc. Please report the drive file; until then change a value slightly.") ? "not solved" : "gross slip");
 }
 function of_drive__sense(case_, pulley) {
-let none, tensions, told;
+let none, tensions, what;
 
 (tensions = $at(case_.tensions, pulley.name));
 (none = pull__idles($bound(tensions, "entry"), $bound(tensions, "exit")));
-(told = ($truth(none) ? "pulls nothing (T1 = T2)" : "brakes (T1 < T2)"));
-return new Check("sense", ("" + "Pulley " + $str(pulley.name) + " " + $str(told)), "OK", new Place($bound(pulley, "name"), $bound(case_, "name")), undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, false);
+(what = ($truth(none) ? "transmits no tension" : "brakes"));
+return new Check("sense", ("" + $str(pulley.name) + " " + $str(what)), "OK", new Place($bound(pulley, "name"), $bound(case_, "name")), undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, false);
 }
 function* in_page_checks__across(_result) {
 
 yield* $iter([]);
 }
 function* of_drive__take_up(drive) {
-let case_, first, fixed, held, high, kind, last, low, ordered, other, place, what, where;
+let after, case_, first, fixed, high, kind, last, low, named, ordered, other, tensions, what;
 
 (kind = drive.criteria.take_up.kind);
 if ((!$truth(kind) || (drive.conveyor != null))) {
 return null;
 }
 (fixed = drive.criteria.take_up.fixed);
-(held = $map([]));
+(tensions = $map([]));
 for (case_ of $iter(drive.load_cases)) {
 ([first, last] = (function* () { for (const p of $iter([$at(drive.pulleys, 0), $at(drive.pulleys, $neg(1))])) { yield $at(case_.tensions, p.name); } })());
-$put(held, case_.name, ($truth(fixed) ? $add(first.entry, last.exit) : drive.take_up_tension(case_)));
+$put(tensions, case_.name, ($truth(fixed) ? $add(first.entry, last.exit) : drive.take_up_tension(case_)));
 }
-(ordered = alike__falling(held, ((name) => $at(held, name))));
+(ordered = alike__falling(tensions, ((name) => $at(tensions, name))));
 ([high, low] = [$at(ordered, 0), $at(ordered, $neg(1))]);
-if ($truth(numbers__held_alike($at(held, low), $at(held, high)))) {
+if ($truth(numbers__has_equal_tension($at(tensions, low), $at(tensions, high)))) {
 return null;
 }
-(place = check__escaped($m.removeprefix(drive.take_up_place, "at the take-up ")));
-(what = ($truth(place) ? ("" + "the tension " + $str(place)) : "the slack-side tension"));
-(what = ($truth(fixed) ? "the sum of both tensions" : what));
-(other = (($truth(fixed) || $truth(drive.criteria.take_up.after)) ? "" : of_drive___steady(drive)));
-(where = ($truth(other) ? ("" + ", or say that it stands after pulley " + $str(other)) : ""));
-yield new Check("take_up", "Tensions that the take-up holds", "ATTENTION", undefined, undefined, undefined, undefined, undefined, ("" + "take-up " + $str(kind) + ", as given"), "contradicts take-up", ("" + "A " + $str(kind) + " take-up holds " + $str(what) + " at one value: it is {least} in load case " + $str(check__escaped(low)) + " and {most} in load case " + $str(check__escaped(high)) + "."), ("" + "Correct the tensions, or the kind of the take-up" + $str(check__escaped(where)) + "."), undefined, $map([["least", [$at(held, low), "force"]], ["most", [$at(held, high), "force"]]]), false);
+(after = drive.criteria.take_up.after);
+(what = ($truth(after) ? ("" + "tension behind " + $str(check__escaped(after))) : "T2"));
+(what = ($truth(fixed) ? "T1 + T2" : what));
+(other = (($truth(fixed) || $truth(after)) ? "" : of_drive___steady(drive)));
+(named = [...(function* () { for (const name of $iter([low, high])) { yield new Place(undefined, name); } })()]);
+yield new Check("take_up", "Take-up tension", "ATTENTION", undefined, undefined, "take-up tension", undefined, undefined, undefined, undefined, undefined, ("" + $str($m.capitalize(kind)) + " take-up needs equal " + $str(what) + ": " + $str(check__escaped($b.str($at(named, 0)))) + " has {least}, " + $str(check__escaped($b.str($at(named, 1)))) + " has {most}"), ("" + "Set equal " + $str(what) + ", or correct take_up.kind or after."), ($truth(other) ? ("" + "Behind " + $str(check__escaped(other)) + " the tension is equal in every load case.") : ""), "take-up tension", ("" + "take-up " + $str(kind) + ", as given"), undefined, undefined, $map([["least", new Amount($at(tensions, low), "force")], ["most", new Amount($at(tensions, high), "force")]]), false);
 }
 function alike__falling(items, key) {
 let every, numbers, rounded, step;
@@ -1801,7 +1785,7 @@ let every, numbers, rounded, step;
 (rounded = [...(function* () { for (const n of $iter(numbers)) { yield (($truth(step) && ($b.abs(n) < Infinity)) ? $b.round((n / step)) : n); } })()]);
 return [...(function* () { for (const i of $iter($b.sorted($b.range($b.len(every)), $k({key: ((i) => $neg($at(rounded, i)))})))) { yield $at(every, i); } })()];
 }
-function numbers__held_alike(least, most) {
+function numbers__has_equal_tension(least, most) {
 
 return ($sub(most, least) <= $mul(0.1, most));
 }
@@ -1810,7 +1794,7 @@ let behind, pulley;
 
 for (pulley of $iter(drive.pulleys)) {
 (behind = [...(function* () { for (const case_ of $iter(drive.load_cases)) { yield $at(case_.tensions, pulley.name).exit; } })()]);
-if ($truth(numbers__held_alike($b.min(behind), $b.max(behind)))) {
+if ($truth(numbers__has_equal_tension($b.min(behind), $b.max(behind)))) {
 return pulley.name;
 }
 }
@@ -1825,14 +1809,13 @@ yield* $iter($ca865.checks($replaced(spot, new Map([["place", new Place($bound(p
 }
 }
 function* usual__usual_sizes(drive, ...others) {
-let odd, parts, title;
+let odd, parts;
 
 (parts = [...$iter(usual___others(drive, others))]);
-(odd = $map([...(function* () { for (const check of $iter([...$iter(usual__unusual_sizes(drive, $b.bool(parts))), ...$iter(parts)])) { yield [check.said, check]; } })()]));
+(odd = $map([...(function* () { for (const check of $iter([...$iter(usual__unusual_sizes(drive, $b.bool(parts))), ...$iter(parts)])) { yield [check.text, check]; } })()]));
 yield* $iter($m.values(odd));
 if (!$truth(odd)) {
-(title = "What is given is of usual size");
-yield new Check("usual_sizes", title, "OK", undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, false);
+yield new Check("usual_sizes", "Input plausibility", "OK", undefined, undefined, "inputs", undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, false);
 }
 }
 function* usual___others(drive, others) {
@@ -1854,14 +1837,14 @@ if ((pulley.mass != null)) {
 (ends = [$mul(0.02, solid), $mul(1.5, solid)]);
 if (!$truth(numbers__usual($bound(pulley, "mass"), ...$iter(ends)))) {
 (place = new Place($bound(pulley, "name")));
-yield usual__unusual(("" + "mass of pulley " + $str(pulley.name)), "mass", place, $bound(pulley, "mass"), ends);
+yield usual__unusual("pulley mass", "mass", place, $bound(pulley, "mass"), ends);
 }
 }
 }
 ([rating, stiff] = [drive.belt.rating, drive.belt.modulus]);
 (fabric = $and(($eq(drive.belt.kind, "fabric")), () => $and(rating, () => numbers__usual(rating, ...$iter($at($c39c4, 11))))));
 if (($truth(fabric) && $truth(rating) && !$truth(numbers__usual((stiff / rating), 0.0, 250.0)))) {
-yield usual__unusual("modulus over the rating of the belt", "number", $cb829, (stiff / rating), [15.0, 250.0]);
+yield usual__unusual("belt modulus over rating", "number", $cb829, (stiff / rating), [15.0, 250.0]);
 }
 for (lagging of $iter(drive.laggings)) {
 yield* $iter(usual___law_sizes(lagging));
@@ -1878,7 +1861,7 @@ yield new Owner($bound(criteria, "safety"), ["SafetyFactors"], "safety factor");
 yield new Owner($bound(criteria, "sag"), ["Sag"], "for the sag of the belt");
 yield new Owner($bound(drive, "conveyor"), ["Conveyor"], "of the conveyor");
 for (lagging of $iter(drive.laggings)) {
-(of = ("" + "of lagging " + $str(lagging.name)));
+(of = ("" + "of " + $str(lagging.name)));
 yield new Owner(lagging, ["Lagging"], of);
 yield new Owner($bound(lagging, "block"), ["Block"], ("" + "of the blocks " + $str(of)));
 yield new Owner($bound(lagging, "cost"), ["Cost"], ("" + "that the cost " + $str(of) + " is for"));
@@ -1896,7 +1879,7 @@ yield new Owner($bound(pulley.across, "after"), $c35d3, ("" + "behind pulley " +
 }
 }
 function* usual___of_owner(owner) {
-let check, ends, happening, heights, key, limit, limits, most, name, of, profile, tables, value;
+let check, ends, happening, headline, heights, key, limit, limits, most, name, of, profile, tables, value;
 
 ([of, limits] = [owner.of, $or($b.getattr($bound(owner, "of"), "LIMITS", null), () => $map([]))]);
 (tables = [...$iter(owner.more), ...$iter((function* () { for (const kind of $iter(owner.kinds)) { yield $m.get($ce207, kind, $map([])); } })())]);
@@ -1909,9 +1892,9 @@ yield usual__unusual(name, $bound(limit, "dimension"), $bound(owner, "place"), v
 }
 for (happening of $iter($or($b.getattr(of, "happenings", null), () => []))) {
 if ((happening.at >= of.duration)) {
-(name = ("" + "begin (at) of what happens " + $str(owner.words)));
-(check = usual__unusual(name, "time", $cb829, $bound(happening, "at"), [0.0, of.duration]));
-yield $replaced(check, new Map([["remedy", "Nothing happens then: give an earlier time."]]));
+(check = usual__unusual("start", "time", $cb829, $bound(happening, "at"), [0.0, of.duration]));
+(headline = ("" + "Event " + $str(check__escaped($bound(of, "name"))) + " starts at {value}, after the end {limit}"));
+yield $replaced(check, new Map([["headline", headline], ["action", "Give an earlier time."]]));
 }
 }
 if (($in("Across", owner.kinds))) {
@@ -1930,34 +1913,28 @@ function numbers__usual(value, least, most) {
 return !((value < least) || ((value > most) && $truth($math.isfinite(value))));
 }
 function usual__unusual(name, dimension, place, value, ends) {
-let least, meant, most, near, remedy, small, wraps;
+let action, headline, least, meant, most, near, small, usual_ends;
 
 ([least, most] = ends);
 (small = ((least > 0.0) ? least : $mul(0.1, most)));
 (meant = $m.join(" or ", parse__meant_by(value, dimension, small, most)));
-(remedy = ($truth(meant) ? ("" + "Check the unit: " + $str(meant) + "?") : "Check the unit."));
+(action = ($truth(meant) ? ("" + "Check the unit: " + $str(meant) + "?") : "Check the unit."));
 if (($eq(dimension, "number"))) {
 (near = $b.next((function* () { for (const n of $iter([0.1, 10.0, 0.01, 100.0])) { if (!((least <= $mul(n, value) && $mul(n, value) <= most))) continue; yield n; } })(), null));
-(remedy = ((near == null) ? "Check the number." : ("" + "Is " + $format($mul(near, value), ("" + ".3g")) + " meant?")));
+(action = ((near == null) ? "Check the number." : ("" + "Check the number: " + $format($mul(near, value), ("" + ".3g")) + ".")));
 }
-(wraps = $m.startswith(name, "wrap angle"));
-if (($truth(wraps) && (value > most))) {
-(remedy = "Is it the sum of two pulleys? Give each of them its own.");
-} else {
-if (($truth(wraps) && !$truth(meant))) {
-(remedy = "Is it what a snub pulley adds to half a turn? Give the sum.");
+if ((($eq(name, "wrap")) && (value > most))) {
+(action = "Give each pulley its own wrap.");
 }
+if (($in(name, $ca493))) {
+(action = ("" + "Check " + $str($at($ca493, name)) + "."));
 }
-if ($truth($m.startswith(name, "pressure of the belt at its rating"))) {
-(remedy = "Check the diameter and the rating.");
+(usual_ends = cellOf(most, dimension, undefined, "to", least));
+(headline = ("" + $str($m.upper($slice(name, null, 1))) + $str($slice(name, 1, null)) + " {value} is outside the usual " + $str(usual_ends)));
+if ((($eq(name, "wrap")) && (value > most))) {
+(headline = "Wrap {value} exceeds {limit} on one pulley");
 }
-if (($in(name, ["strength over the rating of the belt", "modulus over the rating of the belt"]))) {
-(remedy = usual___of_rating(name, value, least));
-}
-if ((($eq(name, "mass of the belt")) && (value > most))) {
-(remedy = "Is it that of the whole belt? Give the mass of a metre.");
-}
-return new Check("usual_sizes", ("" + "Usual " + $str(name)), "ATTENTION", place, value, ((value > most) ? most : least), dimension, (value > most), "sizes that conveyor drives have", "unusual size", ("" + "Unusual " + $str(check__escaped(name)) + ", {value}; {least} to {most} is usual."), check__escaped(remedy), undefined, $map([["least", [least, dimension]], ["most", [most, dimension]]]), false);
+return new Check("usual_sizes", "Input plausibility", "ATTENTION", place, undefined, name, value, ((value > most) ? most : least), dimension, undefined, (value > most), headline, check__escaped(action), undefined, "implausible input", "sizes that conveyor drives have", undefined, undefined, undefined, false);
 }
 function parse__meant_by(value, dimension, least, most) {
 let found, inside, number, short, text, unit, units, written;
@@ -1980,45 +1957,25 @@ $m.append(found, [!(1.0 <= short && short < 1000.0), text]);
 }
 return [...(function* () { for (const [_, text] of $iter($slice($b.sorted(found, $k({key: ((one) => $at(one, 0))})), null, 2))) { yield text; } })()];
 }
-function usual___of_rating(name, value, least) {
-let meant;
-
-if (($eq(name, "strength over the rating of the belt"))) {
-if ((value < $mul(0.5, least))) {
-return "Is the rating the strength? Give the tension that the belt is rated for.";
-}
-return ((value < least) ? "Is the rating that of the whole width? Give it per width." : "Check strength and rating: both are per width.");
-}
-if ((value >= least)) {
-return "Check the units of both.";
-}
-(meant = "rating or the strength given as the modulus");
-(meant = ((value < $mul(0.2, least)) ? meant : "strength given as the rating, or as the modulus"));
-return ("" + "Is the " + $str(meant) + "? Check the units of both.");
-}
 function* usual___turning(drive, owner) {
-let belt, check, dimension, ends, more, motor, name, power, pulley, radius, remedy, says, setting, speed, taken, turns, value, values;
+let action, belt, check, dimension, ends, motor, name, power, pulley, radius, setting, speed, turns, value, values;
 
 ([motor, pulley, power, speed] = [owner.of, drive.pulley($bound(owner.place, "pulley")), NaN, NaN]);
-([turns, remedy] = [motor, "Check the speeds of the drums, the diameter and the belt speed."]);
+([turns, action] = [motor, "Check rotation_speeds, diameter, belt speed."]);
 if ($truth($b.isinstance(motor, Motor))) {
 ([power, speed] = [motor.rated_power, motor.rated_speed]);
 (setting = ($truth($b.isinstance(motor, VariableSpeed)) ? motor.setting : 1.0));
 (turns = ($mul(setting, speed) / motor.gear_ratio));
-(remedy = "Check gear_ratio, rated_speed, diameter and belt speed.");
+(action = "Check gear_ratio, rated_speed, diameter, belt speed.");
 }
 (belt = ((drive.belt.speed == null) ? NaN : drive.belt.speed));
 (radius = $add(pulley.radius, $or(pitch__pitch_offset($bound(drive, "belt"), $bound(pulley, "side")), () => 0.0)));
 (values = numbers__compared_motor(power, speed, turns, radius, belt));
 for ([[name, dimension], value, ends] of $iter($b.zip($c1429, values, $cbfa6, $k({strict: true})))) {
 if (!$truth(numbers__usual(value, ...$iter(ends)))) {
-(check = usual__unusual(("" + $str(name) + " of pulley " + $str(pulley.name)), dimension, $bound(owner, "place"), value, ends));
-if (($eq(name, "speed of the drum over that of the belt"))) {
-(more = $b.dict($bound(check, "more")));
-(more = $merged(more, $map([["drum", [$mul(turns, radius), "speed"]], ["belt", [belt, "speed"]]])));
-(taken = "{drum} by the drum, which was taken, and {belt} by the speed of the belt.");
-(says = ("" + $str($slice(check.says, null, $neg(1))) + ": " + $str(taken)));
-(check = $replaced(check, new Map([["says", says], ["remedy", remedy], ["more", more]])));
+(check = usual__unusual(name, dimension, $bound(owner, "place"), value, ends));
+if (($eq(name, "pulley speed over belt speed"))) {
+(check = $replaced(check, new Map([["headline", "Pulley speed {drum} does not match belt speed {belt}"], ["action", action], ["full", "The speed of the pulley was used."], ["more", $map([["drum", new Amount($mul(turns, radius), "speed")], ["belt", new Amount(belt, "speed")]])]])));
 }
 yield check;
 }
@@ -2029,14 +1986,14 @@ function numbers__compared_motor(power, speed, drum, radius, belt) {
 return [power, speed, ($mul(drum, radius) / belt)];
 }
 function* usual___motor_sizes(drive, motors) {
-let needed, pulls, rated, told;
+let name, needed, pulls, rated;
 
 (pulls = [...(function* () { for (const case_ of $iter(drive.load_cases)) { yield $b.abs($sub($at(case_.tensions, $at(drive.pulleys, 0).name).entry, $at(case_.tensions, $at(drive.pulleys, $neg(1)).name).exit)); } })()]);
 (needed = $mul($b.max(pulls), $or(drive.belt.speed, () => NaN)));
 (rated = $b.sum((function* () { for (const motor of $iter(motors)) { yield $mul(motor.count, motor.rated_power); } })()));
 if (($truth(rated) && $truth(needed) && !$truth(numbers__usual((rated / needed), 0.0, 6.0)))) {
-(told = "rated power of the motors over that of the largest pull");
-yield usual__unusual(told, "number", $cb829, (rated / needed), [0.0, 6.0]);
+(name = "motor power over required power");
+yield usual__unusual(name, "number", $cb829, (rated / needed), [0.0, 6.0]);
 }
 }
 function* usual___conveyor_sizes(of, width) {
@@ -2047,18 +2004,18 @@ for ([value, [key, ...ends]] of $iter($b.zip(of.sizes(), $ce959, $k({strict: tru
 ([least, most] = (function* () { for (const end of $iter(ends)) { yield $mul(end, (($in(key, $c660d)) ? width : 1.0)); } })());
 if (!$truth(numbers__usual(value, least, most))) {
 (odd = true);
-(name = ("" + $str($m.replace(key, "_", " ")) + " of the conveyor"));
+(name = ("" + "conveyor " + $str($m.replace(key, "_", " "))));
 (dimension = $at($ccebb, key).dimension);
 yield usual__unusual(name, dimension, $cb829, value, [least, most]);
 }
 }
 ([load, slope] = [[$mul(0.7, $pow(width, 2)), $mul(700.0, $pow(width, 2))], (of.lift / of.length)]);
 if (!($truth(odd) || $truth(numbers__usual($bound(of, "material"), ...$iter(load))))) {
-(name = "load per length of the full belt (capacity, speed and width)");
+(name = "material per length of belt");
 yield usual__unusual(name, "mass_per_length", $cb829, $bound(of, "material"), load);
 }
 if (!($truth(odd) || $truth(numbers__usual(slope, $neg(0.5), 0.5)))) {
-(name = "lift over length of the conveyor");
+(name = "conveyor lift over length");
 yield usual__unusual(name, "number", $cb829, slope, [$neg(0.5), 0.5]);
 }
 }
@@ -2100,7 +2057,7 @@ for (pulley of $iter(drive.in_case(case_).pulleys)) {
 (names = usual___names(pulley, case_));
 (values = numbers__compared_sizes(usual__sizes_of(drive, case_, pulley)));
 for ([[name, dimension, place], value, [least, most]] of $iter($b.zip(names, values, $c39c4, $k({strict: true})))) {
-(made = $or(($in(name, ["modulus over the rating of the belt", "strength over the rating of the belt", "tension that keeps the belt from sagging"])), () => $m.startswith(name, "pressure of the belt at its rating")));
+(made = $or(($in(name, ["belt modulus over rating", "belt strength over rating", "tension for sag"])), () => ($eq(name, "wrap pressure at the belt rating"))));
 if (!($truth(numbers__usual(value, least, most)) || ($truth(made) && $truth(odd)))) {
 (size = (($in(dimension, $c5944)) ? drive.belt.width : 1.0));
 (odd = true);
@@ -2111,11 +2068,10 @@ yield usual__unusual(name, dimension, place, $mul(size, value), [$mul(size, leas
 }
 }
 function usual___names(pulley, case_) {
-let at, belt, drum, lagging, of;
+let at, belt, drum;
 
 ([belt, drum, at] = [new Place(), new Place($bound(pulley, "name")), new Place($bound(pulley, "name"), $bound(case_, "name"))]);
-([lagging, of] = [("" + "of lagging " + $str(pulley.lagging.name)), ("" + "of pulley " + $str(pulley.name))]);
-return [["width of the belt", "length", belt], ["modulus of the belt", "force_per_width", belt], ["speed of the belt", "speed", belt], [("" + "diameter " + $str(of)), "length", drum], [("" + "wrap angle " + $str(of)), "angle", drum], [("" + "wrap angle " + $str(of)), "angle", drum], [("" + "creep limit " + $str(of)), "length", drum], [("" + "overrun " + $str(of)), "length", drum], [("" + "thickness " + $str(lagging)), "length", drum], [("" + "shear modulus " + $str(lagging)), "pressure", drum], [("" + "compression modulus " + $str(lagging)), "pressure", drum], ["rating of the belt", "force_per_width", belt], [("" + "bond strength " + $str(lagging)), "pressure", drum], [("" + "fatigue limit " + $str(lagging)), "pressure", drum], ["largest wrap pressure of the belt", "pressure", belt], ["least pulley of the belt", "length", belt], ["tension that keeps the belt from sagging", "force", belt], ["strength over the rating of the belt", "number", belt], ["modulus over the rating of the belt", "number", belt], [("" + $str("pressure of the belt at its rating") + " on pulley " + $str(pulley.name)), "pressure", drum], [("" + "entry tension " + $str(of)), "force", at], [("" + "exit tension " + $str(of)), "force", at], [("" + "power " + $str(of)), "power", at], ["mass of the belt", "mass_per_length", belt]];
+return [["belt width", "length", belt], ["belt modulus", "force_per_width", belt], ["belt speed", "speed", belt], ["diameter", "length", drum], ["wrap", "angle", drum], ["wrap", "angle", drum], ["creep limit", "length", drum], ["overrun", "length", drum], ["lagging thickness", "length", drum], ["shear modulus", "pressure", drum], ["compression modulus", "pressure", drum], ["belt rating", "force_per_width", belt], ["bond strength", "pressure", drum], ["fatigue limit", "pressure", drum], ["maximum wrap pressure of the belt", "pressure", belt], ["minimum pulley diameter of the belt", "length", belt], ["tension for sag", "force", belt], ["belt strength over rating", "number", belt], ["belt modulus over rating", "number", belt], ["wrap pressure at the belt rating", "pressure", drum], ["entry tension", "force", at], ["exit tension", "force", at], ["power", "power", at], ["belt mass", "mass_per_length", belt]];
 }
 function usual__sizes_of(drive, case_, pulley) {
 let belt, idle, lagging, sag, tensions;
@@ -2134,59 +2090,38 @@ function numbers__compared_sizes(of) {
 return [of.width, of.modulus, of.speed, of.diameter, of.idle_wrap, of.wrap_angle, of.creep_limit, of.overrun, of.thickness, of.shear_modulus, of.compression_modulus, of.rating, of.bond_strength, of.fatigue_limit, of.face_pressure, of.least_diameter, (of.sag / of.width), (of.strength / of.rating), (of.modulus / of.rating), ($mul(2.0, of.rating) / of.diameter), (of.entry / of.width), (of.leaving / of.width), $mul($b.abs($bound(of, "pull")), of.speed), (of.mass / of.width)];
 }
 function of_data__data(drive, pulley) {
-let found, grounds, kind, lagging, what, words, worst;
+let grounds, key, kind, lagging, owner, sentences, sources, weak, word;
 
 (lagging = pulley.lagging);
-(found = $map([]));
-for ([kind, what] of $iter(of_data__weak_sources(drive, pulley))) {
-$m.append($m.setdefault(found, kind, []), what);
+(sources = $map([]));
+(weak = []);
+([grounds, sentences] = of_data__law_words(lagging));
+(weak = $add(weak, [...(function* () { for (const kind of $iter(grounds)) { if (!(($in(kind, $cb216)))) continue; yield [kind, "friction", "friction"]; } })()]));
+for ([kind, key, owner] of $iter(of_data__weak_sources(drive, pulley))) {
+(word = of_data__key_word(key));
+$m.append($m.setdefault(sources, kind, []), ((!$eq(owner, word)) ? ("" + $str(word) + " of " + $str(owner)) : word));
+$m.append(weak, [kind, key, word]);
 }
-([grounds, words] = of_data__law_words(lagging));
-(words = $add(words, [...(function* () { for (const kind of $iter($c5dd1)) { if (!(($in(kind, found)))) continue; yield ("" + $str($m.capitalize(kind)) + ": " + $str($m.join(", ", $b.fromkeys($at(found, kind)))) + "."); } })()]));
-(worst = $b.next((function* () { for (const [kind, word] of $iter($m.items($cb216))) { if (!(($in(kind, [...$iter(grounds), ...$iter(found)])))) continue; yield word; } })(), ""));
-return new Check("data", "Data that the answer stands on", "OK", new Place($bound(pulley, "name")), undefined, undefined, undefined, undefined, undefined, worst, check__escaped($m.join(" ", words)), undefined, undefined, undefined, false);
+(sentences = $add(sentences, [...(function* () { for (const kind of $iter($c5dd1)) { if (!(($in(kind, sources)))) continue; yield ("" + $str($m.capitalize(kind)) + ": " + $str($m.join(", ", $b.fromkeys($at(sources, kind)))) + "."); } })()]));
+return new Check("data", "Data line", "OK", new Place($bound(pulley, "name")), undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, check__escaped($m.join(" ", sentences)), undefined, undefined, undefined, undefined, undefined, false, $b.tuple(weak));
 }
-function* of_data__belt_mass(drive) {
-let belt, case_, least, most, place, pulley, slack, tensions;
+function of_data__key_word(key) {
 
-(belt = drive.belt);
-if (((belt.mass != null) || (belt.speed == null))) {
-return null;
+return $m.get($cd058, key, $m.replace(key, "_", " "));
 }
-(tensions = [...(function* () { for (const case_ of $iter(drive.load_cases)) { for (const [name, of] of $iter($m.items(case_.tensions))) { yield [$b.min($bound(of, "entry"), $bound(of, "exit")), name, case_.name]; }} })()]);
-([slack, pulley, case_] = $b.min(tensions, $k({key: ((of) => $at(of, 0))})));
-([least, most] = (function* () { for (const mass of $iter(belt_mass__usual_mass(belt))) { yield pitch__centrifugal_force(mass, $bound(belt, "speed")); } })());
-if ((most <= $mul(0.02, slack))) {
-return null;
-}
-(place = new Place(pulley, case_));
-yield new Check("belt_mass", "Mass of the belt", "OK", place, undefined, undefined, undefined, undefined, "carcasses of the catalogue and usual covers", undefined, ("" + "Belt mass missing: m v2 {least} to {most} (estimated), up to {share} % of T2 (" + $str(check__escaped(pulley)) + ", " + $str(check__escaped(case_)) + ")."), undefined, undefined, $map([["least", [least, "force"]], ["most", [most, "force"]], ["share", [($mul(100.0, most) / slack), "number"]]]), false);
-}
-function belt_mass__usual_mass(belt) {
-let covers, heavy, known, least, light, most, near, row, rows;
+function judge___conditions(result) {
+let cases, conditions;
 
-(rows = [...(function* () { for (const row of $iter(belts())) { if (!(((row.carcass_mass != null) && (row.cover_mass != null)))) continue; yield row; } })()]);
-for (near of $iter([[...(function* () { for (const row of $iter(rows)) { if (!(($eq(row.name, belt.name)))) continue; yield row; } })()], [...(function* () { for (const row of $iter(rows)) { if (!(($truth(belt_mass___kind_agrees(row, belt)) && $truth(belt_mass___rating_agrees(row, belt))))) continue; yield row; } })()], [...(function* () { for (const row of $iter(rows)) { if (!($truth(belt_mass___kind_agrees(row, belt)))) continue; yield row; } })()]])) {
-if ($truth(near)) {
-(rows = near);
-break;
+(cases = ($truth($b.isinstance(result, TrainResult)) ? result.train.cases : result.drive.load_cases));
+(conditions = $map([...(function* () { for (const case_ of $iter(cases)) { yield [case_.name, case_.condition]; } })()]));
+return (($b.len($b.set($m.values(conditions))) > 1) ? conditions : $map([]));
 }
+function judge___placed(checks, conditions) {
+
+if (!$truth(conditions)) {
+return checks;
 }
-(known = pitch__layers_of(belt));
-(covers = [...(function* () { for (const [cover, ends] of $iter($b.zip([known.pulley_cover, known.carry_cover], $c1f4f, $k({strict: true})))) { yield ($truth($math.isnan(cover)) ? ends : [cover, cover]); } })()]);
-([least, most] = [Infinity, 0.0]);
-for (row of $iter(rows)) {
-(light = belt_mass__layer_mass(row, $bound(belt, "width"), $at($at(covers, 0), 0), $at($at(covers, 1), 0)));
-(heavy = belt_mass__layer_mass(row, $bound(belt, "width"), $at($at(covers, 0), 1), $at($at(covers, 1), 1)));
-([least, most] = [$b.min(least, $or(light, () => Infinity)), $b.max(most, $or(heavy, () => 0.0))]);
-}
-return new MassRange(least, most);
-}
-function belt_mass___kind_agrees(row, belt) {
-return $or(($eq(row.kind, belt.kind)), () => !$truth(belt.kind));
-}
-function belt_mass___rating_agrees(row, belt) {
-return $and((belt.rating != null), () => ($b.abs($math.log((row.rating / belt.rating))) <= $math.log(1.3)));
+return $b.tuple((function* () { for (const check of $iter(checks)) { yield ((($in(check.place.load_case, conditions)) && (!$eq(check.name, "condition"))) ? $replaced(check, new Map([["place", $replaced(check.place, new Map([["condition", $at(conditions, check.place.load_case)]]))]])) : check); } })());
 }
 function least_tension__least_tension(result) {
 let one;
@@ -2272,7 +2207,7 @@ let least, tested;
 (tested = result.arc.law.tested);
 if (((tested != null) && (tested.slip_max < result.arc.creep_limit))) {
 (least = in_page_checks__least_with_slip(result, $bound(tested, "slip_max")));
-yield new Figure("tested_slip", "Largest slip, tested", $add(offset, least), place);
+yield new Figure("tested_slip", "Slip, tested range", $add(offset, least), place);
 }
 }
 function in_page_checks__least_with_slip(result, _limit) {
@@ -2283,7 +2218,7 @@ function* least_tension___estimates(spot, result, offset) {
 let asks, factor, rule, title;
 
 (factor = of_wet__estimate_factor(spot));
-for ([rule, title, asks] of $iter([[$c8a85, "Creep with the cover of the belt in series", in_page_checks__least_when_covered(result)], [$cef26, "Creep at the end of its interval", least_tension___by_interval(result)], [$c2e75, "Creep when wet, estimated", in_page_checks__least_when_wet(result, factor)]])) {
+for ([rule, title, asks] of $iter([[$c8a85, "Creep with cover", in_page_checks__least_when_covered(result)], [$cef26, "Creep, 95 % bound", least_tension___by_interval(result)], [$c2e75, "Wet creep", in_page_checks__least_when_wet(result, factor)]])) {
 if (!$truth($math.isnan(asks))) {
 yield new Figure($bound(rule, "name"), title, $add(offset, asks), $bound(spot, "place"), false);
 }
@@ -2310,7 +2245,7 @@ return ((factor > 0.0) ? result.found.least_when_wet : NaN);
 function* least_tension___standard(of, offset) {
 let binding, criteria, pulley, rule, tension;
 ([criteria, pulley] = [of.drive.criteria, of.pulley]);
-(rule = design_standard__asked($bound(criteria, "standard"), $bound(criteria, "take_up"), $bound(pulley, "lagging"), $bound(pulley, "wrap_angle")));
+(rule = design_standard__find_requirement($bound(criteria, "standard"), $bound(criteria, "take_up"), $bound(pulley, "lagging"), $bound(pulley, "wrap_angle")));
 if ((rule == null)) {
 return null;
 }
@@ -2322,9 +2257,9 @@ if (!($truth(binding) && $truth(criteria.standard.name))) {
 return null;
 }
 }
-yield new Figure("design_standard", $bound(rule, "rule"), tension, $bound(of, "place"), binding);
+yield new Figure("design_standard", ("" + "T2 by " + $str(rule.name)), tension, $bound(of, "place"), binding);
 }
-function design_standard__asked(standard, take_up, lagging, wrap_angle) {
+function design_standard__find_requirement(standard, take_up, lagging, wrap_angle) {
 let factor, found, friction;
 
 if (($eq(standard.name, "none"))) {
@@ -2352,39 +2287,39 @@ let angle, ends, factor, rows;
 (rows = design_standard___rows(lagging));
 (angle = $math.degrees(wrap_angle));
 if (!($sub($at($at(rows, 0), 0), 1e-09) <= angle && angle <= $add($at($at(rows, $neg(1)), 0), 1e-09))) {
-(ends = ("" + $format($at($at(rows, 0), 0), ("" + "g")) + " to " + $format($at($at(rows, $neg(1)), 0), ("" + "g")) + " degrees"));
-return design_standard___silent("CEMA", ("" + "its factors for manual take-ups are for wraps of " + $str(ends)));
+(ends = ("" + $format($at($at(rows, 0), 0), ("" + "g")) + " to " + $format($at($at(rows, $neg(1)), 0), ("" + "g")) + " deg"));
+return design_standard___silent("CEMA", ("" + "manual take-up factors cover wraps " + $str(ends)));
 }
 (factor = $b.next((function* () { for (const [row, value] of $iter($b.reversed(rows))) { if (!((row <= $add(angle, 1e-09)))) continue; yield value; } })()));
-return new Asked(("" + "CEMA, manual take-up, Cw " + $format(factor, ("" + "g"))), factor, "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8)");
+return new StandardRequirement("CEMA", ("" + "manual take-up, Cw " + $format(factor, ("" + "g"))), factor, "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8)");
 }
 function design_standard___rows(lagging) {
 return $at($c5f1f, (($eq(lagging.surface, "bare")) ? "bare" : "lagged"));
 }
 function design_standard___silent(name, why) {
-return new Asked(name, NaN, "", why);
+return new StandardRequirement(name, "", NaN, "", why);
 }
 function design_standard___friction(standard, lagging) {
-let condition, found, friction, name, rule, stated, value;
+let condition, found, friction, how, name, stated, value;
 
 (name = $or(standard.name, () => "CEMA"));
 if ((standard.friction != null)) {
-(rule = ("" + "your own rule, friction " + $format(standard.friction, ("" + ".2f"))));
-return [standard.friction, new Asked(rule, NaN, "given")];
+(how = ("" + "friction " + $format(standard.friction, ("" + ".2f"))));
+return [standard.friction, new StandardRequirement("design standard", how, NaN, "input")];
 }
 if (!$truth(lagging.surface)) {
-return [null, design_standard___silent(name, ("" + "lagging " + $str(lagging.name) + " does not say what its surface is"))];
+return [null, design_standard___silent(name, ("" + $str(lagging.name) + " has no surface"))];
 }
 (condition = $or(standard.condition, () => lagging.condition));
 (found = [...(function* () { for (const d of $iter((() => $c9375)())) { if (!((($eq(d.standard, name)) && ($eq(d.surface, lagging.surface))))) continue; yield d; } })()]);
 (value = $b.next((function* () { for (const d of $iter(found)) { if (!(($in(d.condition, ["", condition])))) continue; yield d; } })(), null));
 if ((value == null)) {
-return [null, design_standard___silent(name, ("" + "it has no value for " + $str(lagging.surface) + " when " + $str(condition)))];
+return [null, design_standard___silent(name, ("" + "no value for " + $str(lagging.surface) + ", " + $str(condition)))];
 }
 (friction = $at(value.friction, 0));
 (stated = $m.join(", ", (function* () { for (const part of $iter([value.surface, value.condition])) { if (!($truth(part))) continue; yield part; } })()));
-(rule = ("" + $str(name) + ", friction " + $format(friction, ("" + ".2f")) + " (" + $str(stated) + ")"));
-return [friction, new Asked(rule, NaN, $b.str($bound(value, "provenance")))];
+(how = ("" + "friction " + $format(friction, ("" + ".2f")) + " (" + $str(stated) + ")"));
+return [friction, new StandardRequirement(name, how, NaN, $b.str($bound(value, "provenance")))];
 }
 function constant_friction__wrap_factor(friction, wrap_angle) {
 
@@ -2402,13 +2337,13 @@ function of_arc__design_slack(of, factor) {
 let start;
 
 (start = of_arc__start_factor($bound(of.drive, "criteria"), $bound(of.case, "kind")));
-return numbers__asked_slack(factor, start, $bound($at(of.case.tensions, of.pulley.name), "effective"));
+return numbers__required_slack(factor, start, $bound($at(of.case.tensions, of.pulley.name), "effective"));
 }
 function of_arc__start_factor(criteria, kind) {
 
 return (($eq(kind, "running")) ? criteria.standard.start_factor : 1.0);
 }
-function numbers__asked_slack(factor, start, pull) {
+function numbers__required_slack(factor, start, pull) {
 
 return $mul($mul(factor, start), $b.abs(pull));
 }
@@ -2418,7 +2353,7 @@ let arc, factor, raised, rise, title;
 ([arc, factor] = [$at(arcs, index).arc, drive.criteria.safety.of($bound(case_, "kind"))]);
 (rise = gross_slip__rises([...(function* () { for (const r of $iter(arcs)) { yield r.arc; } })()], index, $bound(drive.criteria, "take_up")));
 (raised = in_page_checks__lift($at(arcs, index), factor, $bound(rise, "tight")));
-(title = ("" + "Safety " + $format(factor, ("" + "g")) + " against gross slip"));
+(title = ("" + "Gross-slip safety " + $format(factor, ("" + "g"))));
 (raised = ($truth($math.isnan(raised)) ? Infinity : raised));
 return new Figure("gross_slip", title, $add(end, raised), new Place($bound(arc, "pulley"), $bound(case_, "name")));
 }
@@ -2427,14 +2362,14 @@ function in_page_checks__lift(result, _factor, _tight_rise) {
 return result.found.lift;
 }
 function* least_tension___of_tension(rule, of, end) {
-let rise, words;
+let rise, text;
 
-(words = $and(rule.words, () => rule.words(of)));
-if ((!$truth(least_tension__is_of_tension(rule)) || (words == null) || $truth(words.missing))) {
+(text = $and(rule.text, () => rule.text(of)));
+if ((!$truth(least_tension__is_of_tension(rule)) || (text == null) || $truth(text.missing) || $truth(text.why))) {
 return null;
 }
 (rise = rule.rise_to($bound(of, "state"), rule.limit_at(of)));
-yield new Figure($bound(rule, "name"), $bound(words, "title"), $add(end, rise), $bound(of, "place"), undefined, ($eq(rule.tension, "raise")));
+yield new Figure($bound(rule, "name"), $bound(text, "title"), $add(end, rise), $bound(of, "place"), undefined, ($eq(rule.tension, "raise")));
 }
 function least_tension__is_of_tension(rule) {
 
@@ -2446,7 +2381,7 @@ let ends, slackest, tension;
 (ends = $map([...(function* () { for (const s of $iter(conveyor.reckoned())) { yield [s.name, $b.min($bound(s, "head"), $bound(s, "tail"), $bound(s, "entry"), $bound(s, "exit"))]; } })()]));
 (slackest = alike__least(ends, ((name) => $at(ends, name))));
 (tension = $add($sub(conveyor.take_up, $at(ends, slackest)), 1.0));
-return new Figure("taut", "Belt taut at both ends", tension, new Place("", slackest));
+return new Figure("taut", "T2 for taut belt", tension, new Place("", slackest));
 }
 function alike__least(items, key) {
 
@@ -2470,134 +2405,104 @@ return found;
 function least_tension___tension(figure) {
 return figure.tension;
 }
-function judge__sound(checks, least) {
-let both, missed, names;
-
-(missed = [...(function* () { for (const c of $iter(checks)) { if (!($truth(c.missed))) continue; yield [c.name, c.place]; } })()]);
-(names = new Set((function* () { for (const [name, _] of $iter(missed)) { yield name; } })()));
-(both = $and($b.bool($common(names, $c5af9)), () => $b.bool($common(names, $c09e2))));
-function advised(check) {
-if (($in([$m.get($c3879, $bound(check, "name"), ""), check.place], missed))) {
-return $replaced(check, new Map([["remedy", "Mend first what the even pulley lacks: it fails too."]]));
-}
-if (($truth(check.missed) && $truth(check.otherwise) && !$truth(judge___helps(check, least, both)))) {
-return $replaced(check, new Map([["remedy", check.otherwise]]));
-}
-return check;
-}
-$sig(advised, ["check"], false);
-return $b.tuple($b.map(advised, checks));
-}
-function judge___helps(check, least, both) {
-let helps, own;
-
-if ((least == null)) {
-return !$truth(both);
-}
-(own = $b.next((function* () { for (const f of $iter(least.figures)) { if (!(($eq(f.name, check.name)))) continue; yield f; } })(), null));
-if (((own == null) && $truth(both))) {
-return false;
-}
-(helps = $or((own == null), () => $or(!$truth(own.at_least), () => ($in(own, least.required)))));
-return $and($math.isfinite($bound(least, "tension")), () => helps);
-}
 function least_tension__least_sentence(result) {
-let as_now, asked, described, found, given, governs, least, standard, text, what, why;
+let found, governs, now, where;
 
 (found = least_tension__least_tension(result));
 if ((found == null)) {
 return "";
 }
-([least, given] = [least_tension__at_least($bound(found, "tension")), sheet__named("tension", $bound(found, "given"))]);
-(governs = found.governing);
-(why = $at($c1dc5, governs.name).what);
 if ($truth($math.isinf($bound(found, "tension")))) {
 return least_tension___none(found, result);
 }
-(what = least_tension__least_name(result));
-(as_now = ($truth(least_tension__divides_anew(result)) ? ", the load divided as it is," : ""));
-(described = ($truth($b.isinstance(result, DriveResult)) ? result.drive : result.train));
-if ($truth($b.any((function* () { for (const pulley of $iter(described.pulleys)) { yield pulley.across; } })()))) {
-(as_now = $add(as_now, ", were the pulley even,"));
+(governs = found.governing);
+(where = $m.join(", ", (function* () { for (const part of $iter([governs.title, $b.str($bound(governs, "place"))])) { if (!($truth(part))) continue; yield part; } })()));
+(now = sheet__named("tension", $bound(found, "given")));
+return ("" + "Minimum " + $str(least_tension__least_name(result)) + " " + $str(least_tension__at_least($bound(found, "tension"))) + " (" + $str(where) + "); now " + $str(now) + ".");
 }
-(text = ("" + "The least " + $str(what) + " with which every check that it helps passes" + $str(as_now) + " is " + $str(least) + ", set by " + $str(why) + " (" + $str(governs.place) + "); given " + $str(given)));
-(standard = found.standard);
-if (((standard != null) && (found.tension < $mul(standard.tension, $sub(1.0, 1e-09))))) {
-(asked = least_tension__at_least($bound(standard, "tension")));
-(text = $add(text, ("" + "; that is below the " + $str(asked) + " that " + $str(standard.title) + " asks for")));
+function least_tension___none(found, result) {
+let governs, name, top;
+([governs, top, name] = [found.governing, found.highest, least_tension__least_name(result)]);
+if (($truth($math.isinf($bound(governs, "tension"))) && ($eq(governs.name, "design_standard")))) {
+return ("" + "No " + $str(name) + " passes: " + $str(governs.title) + " does not apply" + $str(governs.place.bracket) + ".");
 }
-return ("" + $str(text) + ".");
+if (($truth($math.isinf($bound(governs, "tension"))) || (top == null))) {
+return ("" + "No " + $str(name) + " in the tested pressure range meets " + $str($at($c1dc5, governs.name).what) + $str(governs.place.bracket) + ".");
+}
+return ("" + "No " + $str(name) + " passes: " + $str(governs.title) + " needs " + $str(least_tension__at_least($bound(governs, "tension"))) + ", " + $str(top.title) + " allows " + $str(least_tension__at_most($bound(top, "tension"))) + ".");
+}
+function least_tension__least_name(result) {
+let one;
+
+(one = ($truth($b.isinstance(result, TrainResult)) ? result.drive_result() : result));
+return ($truth(one.drive.take_up_place) ? least_tension__tension_at($bound(one.drive, "take_up_place")) : least_tension__slack_name($bound(one, "drive")));
+}
+function least_tension__tension_at(place) {
+
+return ($truth(place) ? ("" + "tension " + $str(place)) : "T2");
+}
+function least_tension__slack_name(drive) {
+let case_, driving;
+
+(case_ = drive.load_case());
+(driving = ($eq(drive.slack_end(case_), $at(case_.tensions, $at(drive.pulleys, $neg(1)).name).exit)));
+return ($truth(driving) ? "T2" : "slack-side tension T1");
 }
 function least_tension__at_least(tension) {
 
 return cellOf(tension, "force", 3, "up", undefined, "tension");
 }
-function sheet__named(name, value) {
-
-return cell__quantity(value, $bound(term(name), "dimension"), 3, name);
-}
-function least_tension___none(found, result) {
-let asked, governs, most, top;
-([governs, top] = [found.governing, found.highest]);
-if (($truth($math.isinf($bound(governs, "tension"))) && ($eq(governs.name, "design_standard")))) {
-return ("" + "No " + $str(least_tension__least_name(result)) + " keeps every binding check: " + $str(governs.title) + " cannot be applied (" + $str(governs.place) + ").");
-}
-if (($truth($math.isinf($bound(governs, "tension"))) || (top == null))) {
-return ("" + "No " + $str(least_tension__least_name(result)) + " with wrap pressures in the tested range keeps " + $str($at($c1dc5, governs.name).what) + " (" + $str(governs.place) + ").");
-}
-([asked, most] = [least_tension__at_least($bound(governs, "tension")), least_tension__at_most($bound(top, "tension"))]);
-return ("" + "No " + $str(least_tension__least_name(result)) + " keeps every binding check: " + $str($at($c1dc5, governs.name).what) + " asks for " + $str(asked) + " (" + $str(governs.place) + "), and " + $str($at($c1dc5, top.name).what) + " allows " + $str(most) + " (" + $str(top.place) + ").");
-}
-function least_tension__least_name(result) {
-
-return least_tension__tension_at(least_tension___place(result));
-}
-function least_tension___place(result) {
-let one;
-(one = ($truth($b.isinstance(result, TrainResult)) ? result.drive_result() : result));
-return one.drive.take_up_place;
-}
-function least_tension__tension_at(place) {
-
-return ($truth(place) ? ("" + "tension " + $str(place)) : "slack-side tension");
-}
 function least_tension__at_most(tension) {
 
 return cellOf(tension, "force", 3, "down", undefined, "tension");
 }
-function least_tension__divides_anew(result) {
+function sheet__named(name, value) {
 
-return $and($b.isinstance(result, TrainResult), () => !$truth($b.all((function* () { for (const c of $iter(result)) { yield c.case.pulls_given; } })())));
+return cell__quantity(value, $bound(term(name), "dimension"), 3, name);
 }
 function least_tension__least_table(result) {
-let bound, counts, figure, found, given, least, note, place, rows, shown, symbol, text, weight, where;
+let counts, figure, found, heads, least, name, note, now, rows, status, symbol, text, weight;
 
 (found = least_tension__least_tension(result));
 if ((found == null)) {
 return null;
 }
-([rows, place] = [[], least_tension___place(result)]);
+([rows, name] = [[], least_tension__least_name(result)]);
 if (!$truth($math.isinf($bound(found, "tension")))) {
 (weight = cellOf($bound(found, "counterweight"), "mass", 3, "up"));
-(given = ("" + "given " + $str(sheet__named("tension", $bound(found, "given")))));
+(now = ("" + "now " + $str(sheet__named("tension", $bound(found, "given")))));
 (least = least_tension__at_least($bound(found, "tension")));
-(symbol = ($truth(place) ? "" : "T2_min"));
-$m.append(rows, new Row(("" + "Least " + $str(least_tension__least_name(result))), [least], symbol, given));
-$m.append(rows, new Row("Counterweight for it", [weight], "", "if the take-up is a weight"));
+(symbol = (($eq(name, "T2")) ? "T2_min" : ""));
+$m.append(rows, new Row(("" + "Minimum " + $str(name)), [least, "", now], symbol, undefined, "minimum_tension"));
+(status = "if the take-up is a weight");
+$m.append(rows, new Row("Counterweight", [weight, "", status], undefined, undefined, "counterweight"));
 }
 for (figure of $iter($b.sorted($bound(found, "figures"), $k({key: ((f) => [!$truth(f.at_least), $neg(f.tension)])})))) {
-(bound = ($truth(figure.at_least) ? "at least" : "at most"));
-(shown = ($truth(figure.at_least) ? least_tension__at_least : least_tension__at_most));
-(text = ($truth($math.isinf($bound(figure, "tension"))) ? "none" : shown($bound(figure, "tension"))));
+(text = ($truth(figure.at_least) ? least_tension__at_least($bound(figure, "tension")) : ("" + "max " + $str(least_tension__at_most($bound(figure, "tension"))))));
+(text = ($truth($math.isinf($bound(figure, "tension"))) ? "none" : text));
 (counts = $or(($in(figure, found.required)), () => !$truth(figure.at_least)));
-(note = ($truth(counts) ? "" : "not counted, as no tension keeps all"));
-(note = ((figure === found.governing) ? "governs" : note));
-(note = $m.join(", ", (function* () { for (const part of $iter([note, $b.str($bound(figure, "place"))])) { if (!($truth(part))) continue; yield part; } })()));
-$m.append(rows, new Row(("" + $str(figure.title) + ", " + $str(bound)), [text], "", note));
+(status = ($truth(counts) ? "" : "not counted: no tension passes"));
+(status = ((figure === found.governing) ? "governs" : status));
+$m.append(rows, new Row($bound(figure, "title"), [text, $b.str($bound(figure, "place")), status], undefined, undefined, figure.name));
 }
-(where = $or(place, () => "of the slack side behind the drives"));
-(note = ("" + "Tension " + $str(where) + " with which each check is kept, every pulley pulling as it does."));
-return new Table(("" + "Least " + $str(least_tension__least_name(result))), $b.tuple(rows), undefined, note, "least");
+(heads = [("" + "Minimum " + $str(name)), "Place", "Status"]);
+(note = $m.join(" ", least_tension___conditions(result)));
+return new Table(("" + "Minimum " + $str(name) + " by check"), $b.tuple(rows), heads, note, "least");
+}
+function* least_tension___conditions(result) {
+let described;
+
+if ($truth(least_tension__divides_anew(result))) {
+yield "Computed at the load shares of now: another tension divides the load anew.";
+}
+(described = ($truth($b.isinstance(result, DriveResult)) ? result.drive : result.train));
+if ($truth($b.any((function* () { for (const pulley of $iter(described.pulleys)) { yield pulley.across; } })()))) {
+yield "Computed for even pulleys.";
+}
+}
+function least_tension__divides_anew(result) {
+
+return $and($b.isinstance(result, TrainResult), () => !$truth($b.all((function* () { for (const c of $iter(result)) { yield c.case.pulls_given; } })())));
 }
 function least_tension__shown_least(result) {
 let found;
@@ -2606,96 +2511,66 @@ let found;
 return ((found == null) ? "-" : ($truth($math.isinf($bound(found, "tension"))) ? "none" : least_tension__at_least($bound(found, "tension"))));
 }
 function checks_table__check_table(verdict, of = null, title = "Checks") {
-let judged, rows;
+let judged;
 
 (judged = [...(function* () { for (const c of $iter(verdict.listed)) { if (!($truth(c.compares))) continue; yield c; } })()]);
-(rows = $b.tuple((function* () { for (const check of $iter(judged)) { yield checks_table___row(check, of); } })()));
-return new Table(title, rows, ["found", "limit", "margin"], ("" + $str("Margin: how far the value is from its limit, over the limit; positive on the safe side. Each check is shown where it comes off worst.") + $str(checks_table___left(verdict))), "checks", checks_table___nearest(verdict, title), $m.strip(("" + $str(($truth(verdict.missed) ? ("" + $str(checks_table___counted(verdict)) + ". ") : "")) + $str(checks_table___unchecked(verdict)))));
+return new Table(title, $b.tuple((function* () { for (const check of $iter(judged)) { yield checks_table___row(check, of); } })()), $c80d9, $m.join(" ", (function* () { for (const text of $iter(["Used: value over a maximum, or a minimum over the value. Each check at its governing place.", checks_table___not_checked(verdict, ": ")])) { if (!($truth(text))) continue; yield text; } })()), "checks", checks_table___nearest(verdict, title), checks_table___not_checked(verdict, "  "));
 }
 function checks_table___row(check, of) {
-let _, found, note, number, values;
-([found, _] = check.texts());
-(values = [$or(found, () => "-"), $or(check.bound(), () => "-"), checks_table__margin_text(check)]);
+let _, note, number, value, values;
+([value, _] = check.texts());
+(values = [$or(value, () => "-"), $or(check.bound(), () => "-"), checks_table__used_text(check), $b.str($bound(check, "level"))]);
 (number = ((of == null) ? "" : of.number($bound(check, "source"))));
 (note = $m.join(" ", (function* () { for (const part of $iter([$b.str($bound(check, "place")), number])) { if (!($truth(part))) continue; yield part; } })()));
-return new Row($bound(check, "title"), values, undefined, note, undefined, check.level);
+return new Row($bound(check, "title"), values, undefined, note, check.name, check.level);
 }
-function checks_table__margin_text(check) {
-let margin;
+function checks_table__used_text(check) {
+let used;
 
-(margin = check.margin);
-if ($truth(check.below)) {
-return "-";
+(used = check.used);
+if ((used > $sub(10.0, 0.001))) {
+return ("" + "> " + $format(10.0, ("" + "g")) + " times");
 }
-if (!$truth($math.isnan($bound(check, "times")))) {
-return ("" + $str(cell__quantity($bound(check, "times"), "number")) + " times the limit");
+return ($truth($math.isfinite(used)) ? cell__percent(used) : "-");
 }
-if (!$truth($math.isfinite(margin))) {
-return "-";
-}
-if ((0.9995 <= margin && margin < $sub(1.0, 1e-09))) {
-return "> +99.9 %";
-}
-if (($b.abs(margin) < 1e-09)) {
-return "0 %";
-}
-return ("" + $format($mul(100.0, margin), ("" + "+.3g")) + " %");
-}
-function checks_table___left(verdict) {
-let left, told;
+function checks_table___not_checked(verdict, apart) {
+let left, named;
 
-(left = [...(function* () { for (const c of $iter(verdict.listed)) { if (!((c.level === "NOT CHECKED"))) continue; yield c; } })()]);
-(told = (function* () { for (const c of $iter(left)) { yield ("" + $str($m.lower($slice(c.title, null, 1))) + $str($slice(c.title, 1, null)) + " (" + $str(checks_table___why(c)) + ")"); } })());
-return ($truth(left) ? ("" + " Not checked: " + $str($m.join("; ", told)) + ".") : "");
-}
-function checks_table___why(check) {
-let _, found;
-([found, _] = check.texts());
-return ($truth(found) ? ("" + $str(check.short) + "; here it is " + $str(found)) : check.short);
+(left = [...(function* () { for (const c of $iter(verdict.not_checked)) { if (!((!$eq(c.name, "wet_creep")))) continue; yield c; } })()]);
+(named = $m.join(", ", (function* () { for (const c of $iter(left)) { yield ("" + $str($or(c.noun, () => c.title)) + " (" + $str($or(c.missing, () => c.why)) + ")"); } })()));
+return ($truth(named) ? ("" + "Not checked" + $str(apart) + $str(named) + ".") : "");
 }
 function checks_table___nearest(verdict, title) {
 let rows, told;
 
-(told = [...(function* () { for (const c of $iter(verdict.listed)) { if (!(($truth(c.compares) && ($truth(c.missed) || $truth($math.isfinite($bound(c, "margin"))))))) continue; yield c; } })()]);
-(told = $b.sorted((function* () { for (const c of $iter(told)) { if (!(!$truth(c.below))) continue; yield c; } })(), $k({key: verdict.nearness})));
-(rows = (function* () { for (const c of $iter($slice(told, null, $b.max(4, $b.len($bound(verdict, "missed")))))) { yield new Row($bound(c, "title"), [$or($at(c.texts(), 0), () => "-"), $or(c.bound(), () => "-")], "", $b.str($bound(c, "level"))); } })());
-return new Table(title, $b.tuple(rows), ["found", "limit"], undefined, "checks");
-}
-function checks_table___counted(verdict) {
-let judged;
-(judged = [...(function* () { for (const c of $iter(verdict.listed)) { if (!($truth(c.compares))) continue; yield c; } })()]);
-return ("" + $str($b.sum((function* () { for (const c of $iter(judged)) { yield !$truth(c.missed); } })())) + " of " + $str($b.len(judged)) + " checks are kept");
-}
-function checks_table___unchecked(verdict) {
-let heads, left, told;
-(left = [...(function* () { for (const c of $iter(verdict.listed)) { if (!((c.level === "NOT CHECKED"))) continue; yield c.title; } })()]);
-(heads = [...(function* () { for (const title of $iter(left)) { yield $at($m.partition(title, ","), 0); } })()]);
-(told = (function* () { for (const [head, title] of $iter($b.zip(heads, left, $k({strict: true})))) { yield (($m.count(heads, head) > 1) ? head : title); } })());
-return ($truth(left) ? ("" + "Not checked: " + $str($m.join("; ", $b.fromkeys(told))) + ".") : "");
+(told = [...(function* () { for (const c of $iter(verdict.listed)) { if (!(($truth(c.compares) && ($truth(c.missed) || $truth($math.isfinite($bound(c, "used"))))))) continue; yield c; } })()]);
+(told = $b.sorted((function* () { for (const c of $iter(told)) { if (!(!$truth(c.below))) continue; yield c; } })(), $k({key: ((check) => check.order)})));
+(rows = $b.tuple((function* () { for (const c of $iter($slice(told, null, $b.max(4, $b.len($bound(verdict, "missed")))))) { yield checks_table___row(c, null); } })()));
+return new Table(title, rows, $c80d9, undefined, "checks");
 }
 function words__short(result, arc) {
 let worst;
 
 if ((arc.status === "Breakaway: no creep makes enough friction for this tension ratio. Raise the slack-side tension (take-up), enlarge the wrap angle, or choose a lagging with more friction.")) {
-return "breaks away";
+return ("" + $str("FAILS") + " gross slip");
 }
 (worst = judge__judge(result).at($bound(arc.arc, "pulley"), $bound(arc.arc, "load_case")).governing);
 if (((worst != null) && $truth(worst.missed))) {
-return worst.short;
+return ("" + $str(worst.level) + " " + $str(worst.label));
 }
-return ($truth(rule__idle($bound(arc, "arc"))) ? "not driven" : "carries");
+return ($truth(rule__idle($bound(arc, "arc"))) ? "OK, not driven" : $b.str("OK"));
 }
-function words__order_in(told) {
+function words__order_in(judged) {
 let worst;
 
-(worst = told.governing);
-return ((worst == null) ? 0.0 : $b.max($neg(1000000000000.0), $b.min($at(told.nearness(worst), 1), 1000000000000.0)));
+(worst = judged.governing);
+return ((worst == null) ? 0.0 : $b.max($neg(1000000000000.0), $b.min($at(worst.order, 1), 1000000000000.0)));
 }
 function drive_sheet__summary_table(results, whole) {
 let arc, brakes, heads, method, of, result, rows, title, values;
 
 (brakes = $b.any((function* () { for (const result of $iter(results)) { for (const arc of $iter(result)) { yield (arc.arc.side < 0.0); }} })()));
-(heads = [sheet__headed("T1", "force"), sheet__headed("T2", "force"), "T1/T2", sheet__headed("creep", "length"), "of limit", sheet__headed(($truth(brakes) ? "least slack" : "least T2"), "force"), ""]);
+(heads = [sheet__headed("T1", "force"), sheet__headed("T2", "force"), "T1/T2", sheet__headed("creep", "length"), "of limit", sheet__headed(($truth(brakes) ? "min. T1" : "min. T2"), "force"), ""]);
 (rows = []);
 for ([result, of] of $iter($b.zip(results, [whole, ...$iter($slice(results, 1, null))], $k({strict: true})))) {
 for (arc of $iter(result)) {
@@ -3012,13 +2887,17 @@ let arc, design, high, low, note, slips, standard, title, values;
 (standard = $add($m.upper($at(design.standard, 0)), $slice(design.standard, 1, null)));
 (slips = ($at(drive.slipping_arc, 0) > arc.wrap_angle));
 ([low, high] = design.friction);
-(values = [(($eq(low, high)) ? ("" + $format(low, ("" + ".2f"))) : ("" + $format(low, ("" + ".2f")) + "-" + $format(high, ("" + ".2f")))), design_values___pair("tension_ratio", $bound(drive, "ratio")), design_values___pair("tension", $bound(drive, "slack_tension")), ($truth(slips) ? "gross slip" : design_values___pair("active_arc", $bound(drive, "slipping_arc")))]);
+(values = [(($eq(low, high)) ? ("" + $format(low, ("" + ".2f"))) : ("" + $format(low, ("" + ".2f")) + "-" + $format(high, ("" + ".2f")))), design_values___pair("tension_ratio", $bound(drive, "ratio")), design_values___at_least(...$iter(drive.slack_tension)), ($truth(slips) ? "gross slip" : design_values___pair("active_arc", $bound(drive, "slipping_arc")))]);
 (note = of.note($bound(design, "provenance")));
 (title = $m.join(", ", (function* () { for (const part of $iter([standard, design.surface, design.condition])) { if (!($truth(part))) continue; yield part; } })()));
 return new Row(title, values, undefined, note, undefined, ($truth(slips) ? "ATTENTION" : null));
 }
 function design_values___pair(name, ends) {
 return $call(sheet__between, [name, ...$iter(ends)], [["form", "-"]]);
+}
+function design_values___at_least(low, high) {
+
+return (($sub(high, low) <= $mul(1e-09, high)) ? least_tension__at_least(high) : sheet__between("tension", low, high, "to up"));
 }
 function arc_tables__energy_table(result) {
 let e, entry, needs, note, rows;
@@ -4191,6 +4070,19 @@ let pairs, runs;
 (runs = $b.tuple((function* () { for (const [a, b] of $iter($b.pairwise(pairs))) { yield $sub(b.entry, a.exit); } })()));
 return new TrainCase(case_.name, $at(pairs, 0).entry, $at(pairs, $neg(1)).exit, new Pulls($b.tuple((function* () { for (const pair of $iter(pairs)) { yield pair.effective; } })())), ($truth($b.any(runs)) ? runs : []), case_.kind, case_.condition, case_.description);
 }
+function wrap_arc___speed_at(drive, case_, tension) {
+let first;
+
+if ((drive.belt.speed == null)) {
+return null;
+}
+(first = $at(case_.tensions, $at(drive.pulleys, 0).name).entry);
+return $mul(drive.belt.speed, pitch__strain_ratio(tension, first, $bound(drive.belt, "axial_stiffness")));
+}
+function pitch__strain_ratio(tension, reference, stiffness) {
+
+return ($add(1.0, (tension / stiffness)) / $add(1.0, (reference / stiffness)));
+}
 function pull__growth_in(drive, case_, pulley) {
 let index, names, pulls, take_up;
 
@@ -4249,25 +4141,35 @@ let total;
 (total = ((belt.thickness == null) ? $b.sum(pitch__layers_of(belt)) : belt.thickness));
 return ($truth($math.isnan(total)) ? null : total);
 }
-function numbers__margin_of(value, limit, at_most) {
+function numbers__used_of(value, limit, at_most) {
 
 if (($truth($math.isnan(value)) || $truth($math.isnan(limit)) || ($eq(limit, 0.0)))) {
 return NaN;
 }
-if (!$truth($math.isfinite(value))) {
-return ($truth(at_most) ? NaN : Infinity);
+if ($truth(at_most)) {
+return (value / limit);
 }
-return $add($mul(($truth(at_most) ? 1.0 : $neg(1.0)), $sub(1.0, (value / limit))), 0.0);
+return ((value > 0.0) ? (limit / value) : Infinity);
 }
-function numbers__times_of(value, limit) {
+function numbers__kind_of(name, fails) {
 
-if (($truth($math.isnan(value)) || $truth($math.isnan(limit)) || (limit <= 0.0) || !$truth($math.isfinite(value)))) {
-return NaN;
+if (($truth(fails) && ($in(name, ["creep", "uneven_creep"])))) {
+return $at($c76d1, "gross_slip");
 }
-return (((value / limit) >= 10.0) ? (value / limit) : NaN);
+return $m.get($c76d1, name, $at($c76d1, "condition"));
 }
-function check__quantity_text(value, dimension, against = NaN) {
-let form;
+function numbers__order_of(used, missed, kind) {
+let place, share;
+
+if (($truth($math.isnan(used)) && !$truth(missed))) {
+return Infinity;
+}
+(share = ($truth($math.isnan(used)) ? 4000.0 : $b.min(used, 4000.0)));
+(place = ($truth(missed) ? $mul(kind, 10000.0) : 0.0));
+return $sub(place, $mul($math.floor($add((share / 1e-09), 0.5)), 1e-09));
+}
+function check__quantity_text(value, dimension, against = NaN, form = "slip apart") {
+let shown;
 
 if ($truth($math.isnan(value))) {
 return "";
@@ -4275,39 +4177,47 @@ return "";
 if ($truth($math.isinf(value))) {
 return cell__quantity(value, dimension);
 }
-(form = ($truth($math.isnan(against)) ? "slip" : "slip apart"));
-return cellOf(value, dimension, undefined, form, against);
+(shown = ($truth($math.isnan(against)) ? "slip" : form));
+return cellOf(value, dimension, undefined, shown, against);
 }
-function check___badness(check) {
-let order, unknown;
+function cell__format_limit(value, dimension, sense, missed_by = NaN, name = "") {
 
-(order = numbers__order_of($bound(check, "margin"), $bound(check, "missed"), $bound(check, "binding"), $bound(check, "advises"), $bound(check, "leads")));
-(unknown = (check.level === "NOT CHECKED"));
-return [$neg(($truth(unknown) ? $add($told($c13db, "OK", "rank"), 0.5) : $told($c13db, check.level, "rank"))), order];
+if (!$truth($math.isfinite(value))) {
+return cell__quantity(value, dimension);
 }
-function numbers__order_of(margin, missed, binding, advises, leads) {
-let found;
+return cellOf(value, dimension, undefined, sense, missed_by, name);
+}
+function verdict___order(check) {
+return check.order;
+}
+function verdict__data_line(weak) {
+let counts, first, inputs, item, items, kind, listed, more, others, seen, text, words;
 
-(found = (($b.abs(margin) < 1000000000.0) ? $mul($math.floor($add((margin / 1e-09), 0.5)), 1e-09) : margin));
-if ($truth($math.isnan(margin))) {
-(found = (($truth(missed) && $truth(binding)) ? -2000000000.0 : Infinity));
+(items = []);
+(seen = []);
+for (kind of $iter($ca735)) {
+for (item of $iter(weak)) {
+if ((($eq($at(item, 0), kind)) && (!$in($at(item, 2), seen)))) {
+$m.append(seen, $at(item, 2));
+$m.append(items, item);
 }
-if ($truth(leads)) {
-return $sub($b.min(found, 1000000000.0), 4000000000.0);
 }
-return (($truth(missed) && $truth(advises)) ? $add($b.max(found, $neg(1000000000.0)), $mul(2.0, 1000000000.0)) : found);
 }
-function check__placed(check) {
-let said, where;
-
-([where, said] = [check___capital($b.str($bound(check, "place"))), check.said]);
-return ((!$truth(where) || $truth($m.startswith(said, where))) ? said : ("" + $str(where) + ": " + $str(said)));
+if (!$truth(items)) {
+return new DataLine([], "All inputs measured or published.");
 }
-function check___capital(text) {
-return $add($m.upper($slice(text, null, 1)), $slice(text, 1, null));
+(words = $map([...(function* () { for (const kind of $iter($ca735)) { yield [kind, [...(function* () { for (const [k, _, word] of $iter(items)) { if (!(($eq(k, kind)))) continue; yield word; } })()]]; } })()]));
+(listed = [...(function* () { for (const kind of $iter($ca735)) { if (!($truth($at(words, kind)))) continue; yield ("" + $str($m.join(", ", $at(words, kind))) + " " + $str(kind)); } })()]);
+(text = $m.join("; ", listed));
+(text = ("" + $str($m.upper($slice(text, null, 1))) + $str($slice(text, 1, null)) + "."));
+if (($b.len($m.split(text)) > 15)) {
+(counts = [...(function* () { for (const kind of $iter($ca735)) { if (!($truth($at(words, kind)))) continue; yield [$b.len($at(words, kind)), kind]; } })()]);
+([first, ...others] = counts);
+(inputs = (($eq($at(first, 0), 1)) ? "input" : "inputs"));
+(more = $m.join("", (function* () { for (const [count, kind] of $iter(others)) { yield ("" + ", " + $str(count) + " " + $str(kind)); } })()));
+(text = ("" + $str($at(first, 0)) + " " + $str(inputs) + " " + $str($at(first, 1)) + $str(more) + " (--table inputs)."));
 }
-function check___small(text) {
-return $add($m.lower($slice(text, null, 1)), $slice(text, 1, null));
+return new DataLine($b.tuple(items), text);
 }
 function simple___is_friction(mu) {
 let message;
@@ -4335,31 +4245,31 @@ return drive.criteria.standard.binding;
 function of_arc___creep_limit(_, state) {
 return state.creep_limit;
 }
-function of_arc___creeps(of) {
+function of_arc___creep(of) {
 let limit;
 
 (limit = of.state.creep_limit);
-return new Words("Creep at exit", (($eq(limit, 0.00635)) ? "conservative limit, 1/4 in; B. DeVries, A model of lagging friction" : "given"), "over creep limit", "Creeps {value}, more than the limit of {limit}.", "A belt that creeps more than {slides} slides.", of_arc___qualifies($bound(of, "drive"), limit), "Raise the slack-side tension, enlarge the wrap angle, or choose a lagging with more friction.", "No slack-side tension is enough: enlarge the wrap angle, or choose a lagging with more friction.", $map([["fabric", [$at($c4a2b, "fabric"), "force_per_width"]], ["slides", [0.0635, "length"]], ["allowed", [0.0127, "length"]]]));
+return new CheckText("Creep", "creep", "Creep {value} exceeds the {limit} limit", "Creep {creep} exceeds {slides}: gross slip", undefined, of_arc___allowance($bound(of, "drive"), limit), "creep", (($eq(limit, 0.00635)) ? "conservative limit, 1/4 in; B. DeVries, A model of lagging friction" : "given"), $map([["creep", new Amount($m.get(of.state.found, "exit_creep", NaN), "length")], ["slides", new Amount(0.0635, "length")], ["fabric", new Amount($at($c2c2b, "fabric"), "force_per_width")], ["allowed", new Amount($mul(2.0, 0.00635), "length")]]));
 }
-function of_arc___qualifies(drive, limit) {
+function of_arc___allowance(drive, limit) {
 let belt, least, over, rating, steel, strong;
 
 (belt = drive.belt);
 if ((!$eq(limit, 0.00635))) {
 return "";
 }
-(least = $m.get($c4a2b, $bound(belt, "kind")));
+(least = $m.get($c2c2b, $bound(belt, "kind")));
 ([steel, rating] = [($eq(belt.kind, "steel cord")), belt.rating]);
 if (((least == null) || ((rating == null) && !$truth(steel)))) {
-return "Whether this belt may creep more is not known: its carcass or rating is not given.";
+return "Unknown whether this belt may creep more: belt.kind or belt.rating missing.";
 }
 (strong = $or(belt.breaking_strength, () => 0.0));
 (over = ($truth(steel) ? (strong > least) : ($or(rating, () => 0.0) > $mul(least, $add(1.0, 1e-09)))));
 if ($truth(over)) {
-return "Practice may allow this belt up to {allowed}, as it does steel cord above ST1600 and fabric above {fabric} (B. DeVries).";
+return "DeVries allows {allowed} for this belt (creep_limit).";
 }
 if (($truth(steel) && !$truth(strong))) {
-return "Steel cord above ST1600 may creep more; the name does not tell its strength.";
+return "DeVries allows more for steel cord above ST1600; the strength is unknown.";
 }
 return "This belt does not qualify for more, as steel cord above ST1600 and fabric above {fabric} do (B. DeVries).";
 }
@@ -4370,23 +4280,28 @@ function of_drive___over_width(allowed, state) {
 return $mul(allowed, state.width);
 }
 function of_drive___running(of) {
-return (($eq(of.case.kind, "running")) ? of_drive___of_tension(of, "Belt tension, running") : null);
+if ((!$eq(of.case.kind, "running"))) {
+return null;
 }
-function of_drive___of_tension(of, title) {
-let belt, factor, momentary, otherwise, remedy, said;
-([belt, momentary] = [of.drive.belt, (!$eq(of.case.kind, "running"))]);
+return of_drive__tension_text($bound(of.drive, "belt"), $bound(of.case, "kind"), $bound(of.state, "tight"));
+}
+function of_drive__tension_text(belt, kind, tension) {
+let action, factor, momentary, needed, noun, rated, times, title;
+
+([momentary, noun] = [(!$eq(kind, "running")), "belt tension"]);
+(title = ($truth(momentary) ? "Belt tension, momentary" : "Belt tension, running"));
 if ((belt.rating == null)) {
-return new Words(title, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, "the rating of the belt is not given");
+return new CheckText(title, noun, undefined, undefined, undefined, undefined, undefined, undefined, undefined, "belt.rating");
 }
-(factor = of_drive__tension_factor(belt, $bound(of.case, "kind")));
-(said = ((!$eq(factor, 1.0)) ? ("" + "its rating times " + $format(factor, ("" + "g"))) : "its rating"));
-(remedy = "Lower the slack-side tension as far as the other checks allow, or take a wider or ");
-([remedy, otherwise] = [("" + $str(remedy) + "stronger belt."), "Take a wider or stronger belt."]);
+(factor = of_drive__tension_factor(belt, kind));
+(times = ((!$eq(factor, 1.0)) ? ("" + " times " + $format(factor, ("" + "g"))) : ""));
+(rated = $mul(belt.rating, belt.width));
+(action = "Use a belt rated {rated} (now {rating}).");
 if (($truth(momentary) && (belt.momentary_factor == null))) {
-(remedy = "Give the momentary factor of the belt if the maker allows more while starting and braking; else take a stronger belt.");
-(otherwise = "");
+(action = "Give momentary_factor {factor} if the maker allows it.");
 }
-return new Words(title, ("" + "rating of the belt" + $str(((!$eq(factor, 1.0)) ? ("" + " times " + $format(factor, ("" + "g"))) : "")) + ": " + $str(rule__origin($m.get(belt.sources, "rating", $bound(belt, "provenance"))))), "over belt rating", ("" + "The belt tension {value} is more than " + $str(said) + " allows, {limit}; it is {share} % of the rating."), undefined, undefined, remedy, otherwise, $map([["share", [($mul(100.0, of.state.tight) / $mul(belt.rating, belt.width)), "number"]]]));
+(needed = (tension / $mul(belt.width, factor)));
+return new CheckText(title, noun, $add("Belt tension {value} exceeds the {limit} ", (($truth(momentary) && (!$eq(factor, 1.0))) ? "momentary rating" : "rating")), undefined, action, ("" + "{share} % of the rating" + $str(($truth(times) ? ("" + ", factor " + $format(factor, ("" + "g"))) : "")) + "."), "belt tension", ("" + "rating of the belt" + $str(times) + ": " + $str(rule__origin($m.get(belt.sources, "rating", $bound(belt, "provenance"))))), $map([["share", new Amount(($mul(100.0, tension) / rated), "number")], ["factor", new Amount((tension / rated), "number", "up")], ["rated", new Amount(needed, "force_per_width", "up")], ["rating", new Amount($bound(belt, "rating"), "force_per_width")]]));
 }
 function of_drive__tension_factor(belt, kind) {
 
@@ -4397,7 +4312,10 @@ function rule__origin(provenance) {
 return $b.str(provenance);
 }
 function of_drive___momentary(of) {
-return ((!$eq(of.case.kind, "running")) ? of_drive___of_tension(of, "Belt tension, momentary") : null);
+if (($eq(of.case.kind, "running"))) {
+return null;
+}
+return of_drive__tension_text($bound(of.drive, "belt"), $bound(of.case, "kind"), $bound(of.state, "tight"));
 }
 function of_drive___rated(drive) {
 return of_drive__rated($bound(drive, "belt"));
@@ -4412,30 +4330,31 @@ function of_drive___belt_safety(state) {
 return ($mul(state.strength, state.width) / state.tight);
 }
 function of_drive___safety(of) {
-let belt, factor, momentary, source, title, why;
+let belt, factor, momentary, needed, noun, required, source, title;
 
 ([belt, momentary, factor] = [of.drive.belt, (!$eq(of.case.kind, "running")), ""]);
-(title = ("" + "Safety factor of the belt, " + $str(($truth(momentary) ? "momentary" : "running"))));
+([title, noun] = ["Belt safety factor", "belt safety factor"]);
 if ((belt.breaking_strength == null)) {
-return new Words(title, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, "the strength of the belt is not given");
+return new CheckText(title, noun, undefined, undefined, undefined, undefined, undefined, undefined, undefined, "belt.strength");
 }
-if ($truth($math.isnan(of_drive__asked_safety(belt, $bound(of.case, "kind"))))) {
-(why = "neither rating nor kind of the belt tells what it is to be");
-return new Words(title, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, why);
+(required = of_drive__required_safety(belt, $bound(of.case, "kind")));
+if ($truth($math.isnan(required))) {
+return new CheckText(title, noun, undefined, undefined, undefined, undefined, undefined, undefined, undefined, "belt.rating");
 }
 if (($truth(momentary) && (belt.momentary_factor != null))) {
 (factor = ("" + " over momentary_factor, " + $format(belt.momentary_factor, ("" + "g"))));
 }
 (source = ("" + "customary for " + $str(belt.kind) + ", by works that follow DIN 22101" + $str(factor)));
 if ((!$in(belt.kind, $ca5fa))) {
-(source = ("" + "the least that any belt is rated with" + $str(factor)));
+(source = ("" + "the minimum that any belt is rated with" + $str(factor)));
 }
 if ($truth(of_drive__rated(belt))) {
 (source = ("" + "strength over rating of the belt" + $str(factor) + ": " + $str(rule__origin(belt.source_of("rating")))));
 }
-return new Words(title, source, "belt safety factor", "The strength of the belt is {value} times its tension, below {limit} times.", "No belt is rated at more than a third of its strength.", undefined, "Lower the slack-side tension as far as the other checks allow, or take a wider or stronger belt.", "Take a wider or stronger belt.");
+(needed = ($mul(required, of.state.tight) / belt.width));
+return new CheckText(title, noun, "Belt safety factor {value} is below the {limit} minimum", undefined, "Use a belt of strength {strength} or more.", ($truth(of_drive__rated(belt)) ? "The minimum is strength over rating." : "The minimum is customary."), "belt safety factor", source, $map([["strength", new Amount(needed, "force_per_width", "up")]]));
 }
-function of_drive__asked_safety(belt, kind) {
+function of_drive__required_safety(belt, kind) {
 let asked, rating, strength;
 
 ([strength, rating] = [belt.breaking_strength, belt.rating]);
@@ -4457,55 +4376,48 @@ function of_drive__wrap_pressure(tension, state) {
 return ($mul(2.0, $sub(tension, state.centrifugal)) / $mul(state.width, state.diameter));
 }
 function of_drive___on_face(of) {
-let belt, title;
-([belt, title] = [of.drive.belt, "Pressure on the pulley face"]);
+let belt, noun, title;
+([belt, title, noun] = [of.drive.belt, "Face pressure", "face pressure"]);
 if ((belt.largest_wrap_pressure == null)) {
-return new Words(title, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, "the largest wrap pressure of the belt is not given");
+return new CheckText(title, noun, undefined, undefined, undefined, undefined, undefined, undefined, undefined, "belt.largest_wrap_pressure");
 }
-return new Words(title, rule__origin($m.get(belt.sources, "largest_wrap_pressure", $bound(belt, "provenance"))), "face pressure", "The belt presses on the pulley face with {value}, more than {limit}.", undefined, undefined, "Take a larger or wider pulley, or less tension.", "Take a larger or wider pulley.");
+return new CheckText(title, noun, "Face pressure {value} exceeds the belt limit {limit}", undefined, "Use a pulley of {larger} (now {diameter}).", undefined, "face pressure", rule__origin($m.get(belt.sources, "largest_wrap_pressure", $bound(belt, "provenance"))), of_drive___diameter_for(of, $bound(belt, "largest_wrap_pressure")));
+}
+function of_drive___diameter_for(of, allowed) {
+let larger, pressure;
+
+(pressure = of_drive__wrap_pressure($bound(of.state, "tight"), $bound(of, "state")));
+(larger = ($mul(of.state.diameter, pressure) / allowed));
+return $map([["larger", new Amount(larger, "length", "up")], ["diameter", new Amount($bound(of.state, "diameter"), "length")]]);
 }
 function of_arc___bond(of) {
-let says, title;
-(title = "Shear stress of lagging and bond, steady");
-if ($truth(of.place.event)) {
-(title = "Largest shear stress of lagging and bond");
+return $replaced(of_arc___stress(of, "bond_strength"), new Map([["title", "Bond shear stress"], ["noun", "bond shear stress"], ["label", "bond stress"], ["headline", "Bond shear stress {value} exceeds the strength {limit}"], ["action", "Use a lagging with bond strength {stress} or more."]]));
 }
-(says = "The shear stress of lagging and bond, {value}, is above their {limit}.");
-return of_arc___of_stress(of, "bond_strength", title, "bond overstressed", says);
+function of_arc___stress(of, key) {
+let lagging, stress;
+
+([lagging, stress] = [of.pulley.lagging, $m.get(of.state.found, "peak_shear_stress", NaN)]);
+return new CheckText("", undefined, undefined, undefined, undefined, undefined, undefined, rule__origin(lagging.source_of(key)), $map([["stress", new Amount(stress, "pressure", "up")]]), (($b.getattr(lagging, key) == null) ? ("" + "lagging." + $str(key)) : ""));
 }
-function of_arc___of_stress(of, key, title, short, says) {
-let lagging, why;
-(lagging = of.pulley.lagging);
-if (($b.getattr(lagging, key) == null)) {
-(why = ("" + "the " + $str($m.replace(key, "_", " ")) + " of lagging " + $str(lagging.name) + " is not given"));
-return new Words(title, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, why);
-}
-return new Words(title, rule__origin(lagging.source_of(key)), short, says, undefined, undefined, "Choose a lagging with a stronger bond, a larger pulley, or less pull.");
-}
-function of_arc___tires(of) {
-let found, more, often, pitch, says, speed, title;
-([often, speed, more] = ["", of.drive.belt.speed, $b.dict()]);
+function of_arc___fatigue(of) {
+let full, more, pitch, speed, text;
+([text, speed, full] = [of_arc___stress(of, "fatigue_limit"), of.drive.belt.speed, ""]);
+(more = $b.dict($bound(text, "more")));
 if (((speed != null) && (of.result != null))) {
-(often = "; the belt passes {passes} times an hour");
+(full = "The belt passes {passes} times an hour.");
 (pitch = $add(of.result.arc.radius, of.result.arc.offset));
-$put(more, "passes", [pitch__turns_an_hour(speed, pitch), "number"]);
+$put(more, "passes", new Amount(pitch__turns_an_hour(speed, pitch), "number"));
 }
-(title = "Shear stress of lagging and bond, at every pass");
-(says = "At every pass the shear stress reaches {value}, above the fatigue limit {limit}");
-(found = of_arc___of_stress(of, "fatigue_limit", title, "lagging tires", ("" + $str(says) + $str(often) + ".")));
-return $replaced(found, new Map([["more", more]]));
+return $replaced(text, new Map([["title", "Cyclic shear stress"], ["noun", "cyclic shear stress"], ["label", "fatigue"], ["headline", "Cyclic shear stress {value} exceeds the fatigue limit {limit}"], ["action", "Use a lagging with fatigue limit {stress} or more."], ["full", full], ["more", more]]));
 }
 function of_drive___tested_max(of) {
-let otherwise, why;
-if ((of.pulley.lagging.law.tested == null)) {
-(why = "the friction law states no tests");
-return new Words("Wrap pressure within the tests", undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, why);
+let noun, tested, title;
+(tested = of.pulley.lagging.law.tested);
+([title, noun] = ["Maximum wrap pressure", "maximum wrap pressure"]);
+if ((tested == null)) {
+return new CheckText(title, "tested wrap pressure", undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, "friction without tests");
 }
-(otherwise = "Take a larger or wider pulley, or test the lagging at this pressure.");
-return of_drive___of_pressure(of, "Largest", "above", "Lower the tension, t", otherwise);
-}
-function of_drive___of_pressure(of, end, beyond, tension, otherwise) {
-return new Words(("" + $str(end) + " wrap pressure, tested"), of_drive__tests_of($bound(of, "pulley")), ("" + "pressure " + $str(beyond) + " tests"), ("" + "The wrap pressure {value} is " + $str(beyond) + " the {limit} tested on lagging " + $str(check__escaped($bound(of.pulley.lagging, "name"))) + ": there the friction is an extrapolation."), undefined, undefined, ("" + $str(tension) + $str($slice(otherwise, 1, null))), otherwise);
+return new CheckText(title, noun, "Wrap pressure {value} exceeds the tested {limit}", undefined, "Use a pulley of {larger} (now {diameter}).", "There the friction is extrapolated.", "pressure above tests", of_drive__tests_of($bound(of, "pulley")), of_drive___diameter_for(of, $bound(tested, "pressure_max")));
 }
 function of_drive__tests_of(pulley) {
 
@@ -4515,65 +4427,68 @@ function of_drive___slack_pressure(state) {
 return of_drive__wrap_pressure($bound(state, "slack"), state);
 }
 function of_drive___tested_min(of) {
-let otherwise;
+let pressure;
 if ((of.pulley.lagging.law.tested == null)) {
 return null;
 }
-(otherwise = "Test the lagging at this pressure.");
-return of_drive___of_pressure(of, "Least", "below", "Raise the slack-side tension, or t", otherwise);
+(pressure = of_drive__wrap_pressure($bound(of.state, "slack"), $bound(of, "state")));
+return new CheckText("Minimum wrap pressure", "minimum wrap pressure", "Wrap pressure {value} is below the tested {limit}", undefined, "Test the lagging at {pressure}.", "There the friction is extrapolated.", "pressure below tests", of_drive__tests_of($bound(of, "pulley")), $map([["pressure", new Amount(pressure, "pressure", "down")]]));
 }
-function of_arc___slips(of) {
+function of_arc___slip(of) {
+let slip;
 if ((of.pulley.lagging.law.tested == null)) {
 return null;
 }
-return new Words("Largest slip, tested", of_drive__tests_of($bound(of, "pulley")), "slip beyond tests", ("" + "The slip {value} is beyond the {limit} that lagging " + $str(check__escaped($bound(of.pulley.lagging, "name"))) + " was tested to: there the friction is an extrapolation."), undefined, undefined, "Raise the slack-side tension, or test the lagging to this slip.", "Test the lagging to this slip.");
+(slip = $m.get(of.state.found, "largest_slip", NaN));
+return new CheckText("Slip, tested range", "slip", "Slip {value} exceeds the tested {limit}", undefined, "Test the lagging to {slip} slip.", "There the friction is extrapolated.", "slip beyond tests", of_drive__tests_of($bound(of, "pulley")), $map([["slip", new Amount(slip, "length", "up")]]));
 }
-function of_arc___slips_fast(of) {
-let tested, title, why;
-([tested, title] = [of.pulley.lagging.law.tested, "Slip speed, tested"]);
+function of_arc___speed(of) {
+let missing, noun, speed, tested, title;
+([tested, title, noun] = [of.pulley.lagging.law.tested, "Slip speed, tested", "slip speed"]);
 if ((tested == null)) {
 return null;
 }
 if ((tested.slip_speed == null)) {
-(why = "the friction law does not say at which speed it was tested");
-return new Words(title, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, why, true);
+(missing = "law.slip_speed");
+return new CheckText(title, noun, undefined, undefined, undefined, undefined, undefined, undefined, undefined, missing, undefined, true);
 }
-if (((of.drive.belt.speed == null) || $truth($math.isnan($m.get(of.state.found, "slip_speed", 0.0))))) {
-return new Words(title, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, "the belt speed is not given");
+(speed = $m.get(of.state.found, "slip_speed", 0.0));
+if (((of.drive.belt.speed == null) || $truth($math.isnan(speed)))) {
+return new CheckText(title, noun, undefined, undefined, undefined, undefined, undefined, undefined, undefined, "belt.speed");
 }
-return new Words(title, of_drive__tests_of($bound(of, "pulley")), "slips faster than tests", ("" + "The belt slips at up to {value}, lagging " + $str(check__escaped($bound(of.pulley.lagging, "name"))) + " was tested at {limit}: how its friction changes with speed is not known."), undefined, undefined, "Test the lagging at this speed, or keep a larger safety factor.");
+return new CheckText(title, noun, "Slip speed {value} exceeds the tested {limit}", undefined, "Test the lagging at {speed}.", "How the friction changes with slip speed is unknown.", "slip speed beyond tests", of_drive__tests_of($bound(of, "pulley")), $map([["speed", new Amount(speed, "speed", "up")]]));
 }
 function of_drive___slack_end(state) {
 return state.slack_end;
 }
-function of_drive___sags(of) {
+function of_drive___sag(of) {
 let limits, title;
 
-([title, limits] = ["Slack-side tension, for sag", of.drive.criteria.sag]);
+([title, limits] = ["T2 for sag", of.drive.criteria.sag]);
 if ($truth($math.isnan($bound(of.state, "slack_end")))) {
 return null;
 }
 if ((limits == null)) {
-return new Words(title, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, "idler spacing and mass are not given");
+return new CheckText(title, "sag", undefined, undefined, undefined, undefined, undefined, undefined, undefined, "[sag]");
 }
-return new Words(title, limits.SOURCE, "sags", ("" + "The slack side, {value}, sags more than " + $format($mul(100.0, limits.share), ("" + "g")) + " % of the idler spacing; that takes {limit}."), undefined, undefined, "Raise the slack-side tension, or set the idlers closer.", "Set the idlers closer.");
+return new CheckText(title, "slack-side tension for sag", ("" + "Slack-side tension {value} is below the {limit} for " + $format($mul(100.0, limits.share), ("" + "g")) + " % sag"), undefined, "Use idler spacing {spacing}.", undefined, "sag", limits.SOURCE, $map([["spacing", new Amount(($mul(limits.spacing, of.state.slack_end) / limits.tension), "length", "down")]]));
 }
 function of_drive___diameter(state) {
 return state.diameter;
 }
-function of_drive___bends(of) {
-let belt, ends, pulley, title, why;
+function of_drive___bending(of) {
+let belt, ends, least, noun, pulley, title;
 
-([belt, title, pulley] = [of.drive.belt, "Pulley diameter, least for the belt", of.pulley]);
+([belt, title, pulley] = [of.drive.belt, "Pulley diameter", of.pulley]);
+([noun, least] = ["pulley diameter", belt.least_pulley_diameter]);
 (ends = [...(function* () { for (const case_ of $iter(of.drive.load_cases)) { yield $at(case_.tensions, pulley.name); } })()]);
-if ((belt.least_pulley_diameter == null)) {
-return new Words(title, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, "the least pulley of the belt is not given");
+if ((least == null)) {
+return new CheckText(title, noun, undefined, undefined, undefined, undefined, undefined, undefined, undefined, "belt.least_pulley_diameter");
 }
 if ($truth($b.all((function* () { for (const at of $iter(ends)) { yield pull__idles($bound(at, "entry"), $bound(at, "exit")); } })()))) {
-(why = "that of the belt is the least drive pulley, and this one pulls nothing");
-return new Words(title, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, why);
+return new CheckText(title, noun, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, ("" + $str(pulley.name) + " is not driven"));
 }
-return new Words(title, rule__origin($m.get(belt.sources, "least_pulley_diameter", $bound(belt, "provenance"))), "pulley too small", ("" + "Pulley " + $str(check__escaped($bound(pulley, "name"))) + ", {value}, is smaller than the least for its belt, {limit}."));
+return new CheckText(title, noun, "Pulley diameter {value} is below the belt minimum {limit}", undefined, "Use a pulley of {limit} or more.", undefined, "pulley diameter", rule__origin($m.get(belt.sources, "least_pulley_diameter", $bound(belt, "provenance"))));
 }
 function table___ascending(values) {
 return $b.all((function* () { for (const [a, b] of $iter($b.pairwise(values))) { yield (a < b); } })());
@@ -4733,6 +4648,10 @@ return ($eq(value, limit));
 }
 return ($eq(("" + $format(value, ("" + ".3e"))), ("" + $format(limit, ("" + ".3e")))));
 }
+function numbers__beyond(value, fails, at_most) {
+
+return ($truth(at_most) ? (value > fails) : (value < fails));
+}
 function fit___has_no_negative(covariance, rounding) {
 let before, given, i, j, lower, rest, row, scale;
 
@@ -4757,47 +4676,47 @@ function motors___rpm(speed) {
 return ("" + $format(($mul(speed, 30.0) / 3.141592653589793), ("" + ".6g")) + " rpm");
 }
 function* of_arc___standard(of) {
-let _, chosen, criteria, found, how, limit, name, pulley, rule, start, tensions, title, words;
+let assumed, criteria, found, limit, noun, pulley, rule, slack, start, tensions, text, title;
 
 ([criteria, pulley] = [of.drive.criteria, of.pulley]);
-(found = design_standard__asked($bound(criteria, "standard"), $bound(criteria, "take_up"), $bound(pulley, "lagging"), $bound(pulley, "wrap_angle")));
-([tensions, rule] = [$at(of.case.tensions, pulley.name), $c960d.held($bound(of, "drive"))]);
+(found = design_standard__find_requirement($bound(criteria, "standard"), $bound(criteria, "take_up"), $bound(pulley, "lagging"), $bound(pulley, "wrap_angle")));
+([tensions, rule] = [$at(of.case.tensions, pulley.name), $c960d.for_drive($bound(of, "drive"))]);
 if (((found == null) || $truth(pull__idles($bound(tensions, "entry"), $bound(tensions, "exit"))))) {
 return null;
 }
+([title, noun] = [("" + "T2 by " + $str(found.name)), "T2 by the design standard"]);
 if ($truth($math.isnan($bound(found, "wrap_factor")))) {
-(title = ("" + "Slack side by " + $str(found.rule)));
 if (!$truth(criteria.standard.name)) {
-yield rule__not_checked($bound(rule, "name"), title, $bound(found, "why_not"), $bound(of, "place"));
+yield rule__not_checked($bound(rule, "name"), title, noun, $bound(of, "place"), undefined, found.why_not);
 return null;
 }
-yield new Check(rule.name, title, rule.missed, of.place, undefined, undefined, undefined, undefined, undefined, "standard not applicable", check__escaped(("" + $str(found.rule) + " was chosen and cannot be applied: " + $str(found.why_not) + ".")), "Give what it asks for, or choose another design standard.", undefined, undefined, rule.binding);
+yield new Check(rule.name, title, rule.missed, of.place, undefined, noun, undefined, undefined, undefined, undefined, undefined, check__escaped(("" + $str(found.name) + " does not apply: " + $str(found.why_not))), "Set design_standard.friction.", undefined, "standard not applicable", undefined, undefined, undefined, undefined, rule.binding);
 return null;
 }
-(chosen = ($truth(criteria.standard.name) ? "" : " No standard was chosen: CEMA was taken."));
-([start, [name, _, how]] = ["", $m.partition(found.rule, ", ")]);
+(assumed = (($truth(criteria.standard.name) || (criteria.standard.friction != null)) ? "" : " No standard was chosen: CEMA assumed."));
+(start = "");
 if (((!$eq(criteria.standard.start_factor, 1.0)) && ($eq(of.case.kind, "running")))) {
-(start = ("" + " at " + $format(criteria.standard.start_factor, ("" + "g")) + " times the pull"));
+(start = ("" + " at " + $format(criteria.standard.start_factor, ("" + "g")) + " times Te"));
 }
+(slack = ((tensions.entry < tensions.exit) ? "Slack-side tension T1" : "T2"));
+(text = new CheckText(title, noun, $add($add($add(check__escaped(("" + $str(slack) + " ")), "{value} "), check__escaped(("" + "is below the " + $str(found.name) + " minimum "))), "{limit}"), undefined, ($truth(assumed) ? "Set design_standard.name." : ""), ("" + $str(check__escaped($bound(found, "how"))) + $str(start) + "." + $str(assumed)), "below standard", found.source));
 (limit = of_arc__design_slack(of, $bound(found, "wrap_factor")));
-(words = new Words(("" + "Slack side by " + $str(found.rule)), found.source, "below standard", ("" + "Slack side {value} is below the {limit} of " + $str(name) + "; " + $str(how) + $str(start) + "." + $str(chosen)), undefined, undefined, "Raise the slack-side tension, or choose the design standard.", "Choose the design standard."));
-yield rule.judged($bound(of.state, "slack"), limit, $bound(of, "place"), words);
+yield rule.compare($bound(of.state, "slack"), limit, $bound(of, "place"), text);
 }
 function* of_arc___cover_creep(of) {
-let found, rule, title, told, words;
+let found, noun, rule, text, title;
 
-([rule, title] = [$c8a85, "Creep at exit, with the cover of the belt in series"]);
+([rule, title, noun] = [$c8a85, "Creep with cover", "creep with cover"]);
 if (((of.result == null) || ($eq(of.result.arc.cover_left_out, 0.0)))) {
 return null;
 }
 if ($truth(of.unknown)) {
-yield rule__not_checked($bound(rule, "name"), title, $bound(of, "unknown"), $bound(of, "place"));
+yield rule__not_checked($bound(rule, "name"), title, noun, $bound(of, "place"), undefined, of.unknown);
 return null;
 }
 (found = of.result.covered_creep);
-(told = ($truth($math.isfinite(found)) ? "the creep is {value}" : "the belt slips through"));
-(words = new Words(title, "shear of the cover of the belt", "limit within belt cover", ("" + $str("Whether the tested slip includes the shear of the belt cover is not known") + ": with the cover in series " + $str(told) + ", beyond the limit of {limit}."), undefined, undefined, "State the cover of the test belt with the shear tests, or raise the slack-side tension.", "State the cover of the test belt with the shear tests."));
-yield rule.judged($b.abs(found), $bound(of.state, "creep_limit"), $bound(of, "place"), words);
+(text = new CheckText(title, noun, ($truth($math.isfinite(found)) ? "Creep {value} with belt cover exceeds the {limit} limit" : "Gross slip with belt cover in series"), undefined, "Give the test belt cover ([test_belt]).", ("" + $str("Unknown whether the tested slip includes the shear of the belt cover") + "."), "creep with cover", "shear of the cover of the belt"));
+yield rule.compare($b.abs(found), $bound(of.state, "creep_limit"), $bound(of, "place"), text);
 }
 function* in_page_checks__creep_interval(of) {
 let fit;
@@ -4806,29 +4725,32 @@ let fit;
 if (((fit == null) || !$truth(fit.knots))) {
 return null;
 }
-yield new Check("creep_interval", "Creep at exit, end of the 95 % interval of the law", "ATTENTION", of.place, undefined, undefined, undefined, undefined, undefined, "interval not found here", "By the uncertainty of the friction law the creep may be beyond its limit: this page does not find the interval.", "Solve the file with wraparc solve, which does.", undefined, undefined, false);
+yield new Check("creep_interval", "Creep, 95 % bound", "ATTENTION", of.place, undefined, "creep, 95 % bound", undefined, undefined, undefined, undefined, undefined, "Creep, 95 % bound, is not computed in this page", "Solve the file with wraparc solve.", undefined, "95 % bound not computed", undefined, undefined, undefined, undefined, false);
 }
 function* of_wet___wet_creep(of) {
-let creep, exceeds, factor, lagging, limit, missing, name, slips, words;
+let creep, exceeds, factor, lagging, limit, name, source, text, why;
 
 (factor = of_wet__estimate_factor(of));
 if (((of.result == null) || ($eq(factor, 0.0)) || $truth(rule__idle($bound(of.result, "arc"))))) {
 return null;
 }
 ([name, lagging] = ["wet_creep", of.pulley.lagging]);
-([limit, missing] = [of.state.creep_limit, of.unknown]);
-if ((!$truth(missing) && !$truth(check__keeps($b.abs($bound(of.result, "exit_creep")), limit)))) {
-(missing = "the dry creep exceeds its limit");
+([limit, why] = [of.state.creep_limit, of.unknown]);
+if ((!$truth(why) && !$truth(check__keeps($b.abs($bound(of.result, "exit_creep")), limit)))) {
+(why = "dry creep exceeds its limit");
 }
-if (($truth(missing) || $truth($math.isnan(factor)))) {
-(missing = $or(missing, () => ("" + $str(lagging.name) + " has no wet friction")));
-yield rule__not_checked(name, "Wet creep", missing, $bound(of, "place"));
+if ((!$truth(why) && $truth($math.isnan(factor)))) {
+(why = ("" + $str(lagging.name) + " has no wet friction"));
+}
+if ($truth(why)) {
+yield rule__not_checked(name, "Wet creep", "wet creep (estimated)", $bound(of, "place"), undefined, why);
 return null;
 }
 (creep = in_page_checks__wet($bound(of, "result"), factor));
-([slips, exceeds] = [$math.isinf(creep), "Wet creep {value} (estimated) exceeds the {limit} limit."]);
-(words = new Words("Wet creep", ("" + "creep limit; wet friction " + $format(factor, ("" + ".3g")) + " of dry, " + $str($at(new Condition("wet").factor_of(lagging), 1))), ($truth(slips) ? "gross slip when wet" : "over creep limit wet"), ($truth(slips) ? "Gross slip when wet (estimated)." : exceeds), undefined, undefined, ("" + "Test lagging " + $str(check__escaped($bound(lagging, "name"))) + " wet, or give covered = true if the drive never runs wet.")));
-yield $c2e75.judged(creep, limit, $bound(of, "place"), words);
+(exceeds = "Wet creep {value} (estimated) exceeds the {limit} limit");
+(source = $at(new Condition("wet").factor_of(lagging), 1));
+(text = new CheckText("Wet creep", "wet creep (estimated)", ($truth($math.isinf(creep)) ? "Gross slip when wet (estimated)" : exceeds), undefined, ("" + "Test " + $str(check__escaped($bound(lagging, "name"))) + " wet."), ("" + "Wet friction " + $format(factor, ("" + ".3g")) + " of dry (" + $str(check__escaped($b.str(source))) + "). A drive that never runs wet has covered = true."), "wet creep", ("" + "creep limit; wet friction " + $format(factor, ("" + ".3g")) + " of dry, " + $str(source))));
+yield $c2e75.compare(creep, limit, $bound(of, "place"), text);
 }
 function in_page_checks__wet(result, _factor) {
 
@@ -4844,8 +4766,8 @@ return ((belt.rating == null) ? null : $mul(of_drive__tension_factor(belt, kind)
 function of_drive___momentary_tension(of) {
 return ((!$eq(of.case.kind, "running")) ? of_drive__allowed_tension($bound(of.drive, "belt"), $bound(of.case, "kind")) : null);
 }
-function of_drive___asked_safety(of) {
-return of_drive__asked_safety($bound(of.drive, "belt"), $bound(of.case, "kind"));
+function of_drive___required_safety(of) {
+return of_drive__required_safety($bound(of.drive, "belt"), $bound(of.case, "kind"));
 }
 function of_drive___rounded_safety(safety, asked, state) {
 let allowed;
@@ -4873,25 +4795,23 @@ let tested;
 return ((tested == null) ? null : tested.pressure_min);
 }
 function* of_data___condition(of) {
-let _, grounds, lagging, law, says;
+let factor, full, lagging, used;
 
 (lagging = of.pulley.lagging);
 if (($in("condition", lagging.sources))) {
-([grounds, _] = of_data__law_words(lagging));
-(law = (($in("untested", grounds)) ? "one without tests" : "a tested one"));
-(law = (($in("illustrative", grounds)) ? "an illustrative one" : law));
-(says = ("" + "its law is " + $str(law) + " scaled as a whole (" + $str($at(lagging.notes, $neg(1))) + ")"));
-yield of_data___untested(of, $bound(lagging, "condition"), "condition", says);
+(factor = ((lagging.scaled_by == null) ? 1.0 : lagging.scaled_by));
+(used = ("" + "dry friction times " + $format(factor, ("" + ".3g")) + " used"));
+(full = ("" + "Source of the factor: " + $str(rule__origin($at(lagging.sources, "condition"))) + "."));
+yield of_data___untested(of, $bound(lagging, "condition"), "condition", used, full);
 }
 if (($in("worn", lagging.sources))) {
-(says = "its law is that of before, and what wear takes off the friction is not known");
-yield of_data___untested(of, "worn", "worn", says);
+yield of_data___untested(of, "worn", "worn", "unworn friction used", "");
 }
 }
-function of_data___untested(of, state, part, says) {
+function of_data___untested(of, state, part, used, full) {
 let lagging;
 (lagging = of.pulley.lagging);
-return new Check("condition", ("" + "Friction of " + $str(lagging.name) + ", " + $str(state)), "ATTENTION", of.place, undefined, undefined, undefined, undefined, rule__origin($at(lagging.sources, part)), ("" + "not tested " + $str(state)), check__escaped(("" + "Lagging " + $str(lagging.name) + " was not tested " + $str(state) + ": " + $str(says) + ".")), ("" + "Test the lagging " + $str(check__escaped(state)) + "."), undefined, undefined, false);
+return new Check("condition", ("" + "Friction, " + $str(state)), "ATTENTION", of.place, undefined, ("" + "friction, " + $str(state)), undefined, undefined, undefined, undefined, undefined, check__escaped(("" + $str(lagging.name) + " not tested " + $str(state) + ": " + $str(used))), ("" + "Test the lagging " + $str(check__escaped(state)) + "."), check__escaped(full), ("" + "not tested " + $str(state)), rule__origin($at(lagging.sources, part)), undefined, undefined, undefined, false);
 }
 function* of_data___fit(of) {
 let first, lagging, more, others;
@@ -4902,7 +4822,7 @@ return null;
 }
 ([first, ...more] = lagging.fit.misfit);
 (others = ($truth(more) ? ("" + " (and " + $str($b.len(more)) + " more of its lagging file)") : ""));
-yield new Check("fit", ("" + "Friction of " + $str(lagging.name) + ", fit to its tests"), "ATTENTION", of.place, undefined, undefined, undefined, undefined, rule__origin($m.get(lagging.sources, "law", $bound(lagging, "provenance"))), "does not fit its tests", check__escaped(("" + "The friction law of lagging " + $str(lagging.name) + " does not describe its tests: " + $str($m.rstrip(first, ".")) + $str(others) + "." + $str(of_data___accepted($bound(lagging.fit, "misfit_accepted"))))), "Mend or repeat those tests and fit again.", undefined, undefined, false);
+yield new Check("fit", "Friction fit", "ATTENTION", of.place, undefined, "friction fit", undefined, undefined, undefined, undefined, undefined, check__escaped(("" + "Friction law of " + $str(lagging.name) + " deviates from its tests")), "Repeat these tests and refit (wraparc fit).", check__escaped(("" + $str($m.rstrip(first, ".")) + $str(others) + "." + $str(of_data___accepted($bound(lagging.fit, "misfit_accepted"))))), "friction fit", rule__origin($m.get(lagging.sources, "law", $bound(lagging, "provenance"))), undefined, undefined, undefined, false);
 }
 function of_data___accepted(reason) {
 return ($truth(reason) ? ("" + " The laboratory wrote it nevertheless: " + $str($m.rstrip(reason, ".")) + ".") : "");
@@ -4918,7 +4838,7 @@ let tested;
 return ((tested == null) ? null : tested.slip_speed);
 }
 function* of_arc___balance(of) {
-let arc, error, g, pull, result, value, words;
+let arc, error, g, pull, result, text, value;
 
 (result = of.result);
 if (((result == null) || $truth(of.unknown) || $truth($math.isnan($bound(result.energy, "identity_error"))))) {
@@ -4927,8 +4847,8 @@ return null;
 ([error, arc] = [result.energy.identity_error, result.arc]);
 ([pull, g] = [result.effective_tension, result.entry_creep_ratio]);
 (value = numbers__balance_miss(error, pull, g, $bound(arc, "entry_tension"), $bound(arc, "compliance")));
-(words = new Words("Energy balance of the solution", "tolerance of the program", "out of balance", "The energy balance of the solution misses by {value}, more than {limit}.", undefined, undefined, "Please report the drive file; until then change a value slightly."));
-yield $c0d6e.judged(value, 0.0001, $bound(of, "place"), words);
+(text = new CheckText("Energy balance", "energy balance error", "Energy balance error {value} exceeds {limit}", undefined, "Do not use this result. Report the drive file.", undefined, "internal error", "tolerance of the program"));
+yield $c0d6e.compare(value, 0.0001, $bound(of, "place"), text);
 }
 function numbers__balance_miss(error, pull, g, entry, compliance) {
 let exact, scale, told;
@@ -4943,10 +4863,6 @@ return ((of.drive.criteria.sag == null) ? null : of.drive.criteria.sag.tension);
 }
 function of_drive___least_diameter(of) {
 return of.drive.belt.least_pulley_diameter;
-}
-function numbers__beyond(value, fails, at_most) {
-
-return ($truth(at_most) ? (value > fails) : (value < fails));
 }
 function kinds__table_labels(rows) {
 let names;
@@ -5012,6 +4928,10 @@ $init(file = "") {
 const self = this; (self.file = file);
 (self.problems = []);
 (self._left_out = 0);
+}
+get full() {
+const self = this; 
+return ($b.len($bound(self, "problems")) >= 50);
 }
 add(place, message, remedy = "", value = $c2f8b, code = "") {
 const self = this; let given, key;
@@ -5085,10 +5005,6 @@ $m.append(self.problems, new Problem(message, undefined, self.file));
 if ($truth(self.problems)) {
 throw new InputError($bound(self, "problems"));
 }
-}
-get full() {
-const self = this; 
-return ($b.len($bound(self, "problems")) >= 50);
 }
 }
 class Record extends $Dict {
@@ -5216,7 +5132,7 @@ if (($eq(lagging.condition, self.name))) {
 return lagging;
 }
 ([factor, source] = self.factor_of(lagging));
-return $replaced(lagging, new Map([["law", lagging.law.scaled(factor)], ["condition", self.name], ["sources", $map([...lagging.sources, ["condition", source]])], ["fit", null], ["factors", null], ["notes", [...$iter(lagging.notes), self._told(lagging, factor, source)]]]));
+return $replaced(lagging, new Map([["law", lagging.law.scaled(factor)], ["condition", self.name], ["sources", $map([...lagging.sources, ["condition", source]])], ["fit", null], ["factors", null], ["scaled_by", factor], ["notes", [...$iter(lagging.notes), self._told(lagging, factor, source)]]]));
 }
 _told(lagging, factor, source) {
 const self = this; let by;
@@ -5919,7 +5835,7 @@ static of(drive, pulley, case_) {
 const cls = this; let lagging, tensions;
 
 ([lagging, tensions] = [pulley.lagging_in($bound(case_, "condition")), $at(case_.tensions, pulley.name)]);
-return $method(cls, "on", [$bound(drive, "belt"), pulley, lagging], [["entry_tension", tensions.entry], ["exit_tension", tensions.exit], ["creep_limit", drive.creep_limit_of(pulley)], ["belt_speed", drive.belt.speed], ["fit", lagging.fit], ["growth", pull__growth_in(drive, case_, pulley)], ["load_case", case_.name]]);
+return $method(cls, "on", [$bound(drive, "belt"), pulley, lagging], [["entry_tension", tensions.entry], ["exit_tension", tensions.exit], ["creep_limit", drive.creep_limit_of(pulley)], ["belt_speed", wrap_arc___speed_at(drive, case_, $bound(tensions, "entry"))], ["fit", lagging.fit], ["growth", pull__growth_in(drive, case_, pulley)], ["load_case", case_.name]]);
 }
 static on(belt, pulley, lagging, more = new Map()) {
 const cls = this; 
@@ -6173,14 +6089,26 @@ return self.arc.arc.pulley;
 $sig(MemberResult, ["arc", "share", "speed_ratio", "contraction_term", "creep_term", "compression_term", "thickness_term", "drum_ratio", "surface_speed", "rotation_speed", "speed_trim", "drum_torque", "drum_power", "motor"], false, {motor: () => null});
 class Place extends $Tuple {
 __str__() {
-const self = this; let parts;
-(parts = ($truth(self.pulley) ? [("" + "pulley " + $str(self.pulley))] : []));
-(parts = $add(parts, ($truth(self.load_case) ? [("" + "load case " + $str(self.load_case))] : [])));
-(parts = $add(parts, ($truth(self.event) ? [("" + "event " + $str(self.event))] : [])));
+const self = this; let case_, more, names, parts;
+([case_, more] = [self.load_case, ("" + ", " + $str(self.condition))]);
+if (($truth(self.condition) && $truth($m.endswith(case_, more)))) {
+(case_ = $slice(case_, null, $sub($b.len(case_), $b.len(more))));
+}
+(names = [self.pulley, self.spot, case_, self.event, self.condition]);
+(parts = [...(function* () { for (const name of $iter(names)) { if (!($truth(name))) continue; yield (($in(",", name)) ? ("" + "\"" + $str(name) + "\"") : name); } })()]);
+if ((self.time != null)) {
+$m.append(parts, cell__quantity($bound(self, "time"), "time"));
+}
 return $m.join(", ", parts);
 }
+get bracket() {
+const self = this; let names;
+
+(names = $b.str(self));
+return ($truth(names) ? ("" + " (" + $str(names) + ")") : "");
 }
-$sig(Place, ["pulley", "load_case", "event"], false, {pulley: () => "", load_case: () => "", event: () => ""});
+}
+$sig(Place, ["pulley", "load_case", "event", "spot", "condition", "time"], false, {pulley: () => "", load_case: () => "", event: () => "", spot: () => "", condition: () => "", time: () => null});
 class Motors extends $Object {
 }
 $sig(Motors, ["motors"], false, {});
@@ -6219,13 +6147,13 @@ return (self.rated_power / self.rated_speed);
 }
 $sig(Motor, ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes"], false, {gear_ratio: () => 1.0, gear_efficiency: () => 1.0, motor_efficiency: () => null, count: () => 1, brakes: () => true});
 class Check extends $Object {
-get margin() {
+get used() {
 const self = this; 
-return ($truth(self.below) ? 1.0 : numbers__margin_of($bound(self, "value"), $bound(self, "limit"), $bound(self, "at_most")));
+return ($truth(self.below) ? NaN : numbers__used_of($bound(self, "value"), $bound(self, "limit"), $bound(self, "at_most")));
 }
 get compares() {
 const self = this; 
-return $and((!$in(self.name, $c1dc7)), () => (self.level !== "NOT CHECKED"));
+return $and((!$in(self.name, $cfc62)), () => (self.level !== "NOT CHECKED"));
 }
 get below() {
 const self = this; 
@@ -6238,79 +6166,126 @@ const self = this; let share, silent;
 (share = ($truth(silent) ? NaN : (self.value / self.limit)));
 return ($truth($math.isfinite(share)) ? share : NaN);
 }
-get reason() {
-const self = this; 
-return ($truth(self.missed) ? $replaced(self, new Map([["remedy", ""]])).said : "");
-}
-get times() {
-const self = this; 
-return numbers__times_of($bound(self, "value"), $bound(self, "limit"));
-}
 get missed() {
 const self = this; 
-return ($told($c13db, self.level, "rank") >= $told($c13db, "ATTENTION", "rank"));
+return ($told($c7ecb, self.level, "rank") >= $told($c7ecb, "ATTENTION", "rank"));
+}
+get order() {
+const self = this; let place, unknown;
+
+(unknown = (self.level === "NOT CHECKED"));
+(place = numbers__order_of($bound(self, "used"), $bound(self, "missed"), numbers__kind_of($bound(self, "name"), (self.level === "FAILS"))));
+return [$neg(($truth(unknown) ? $add($told($c7ecb, "OK", "rank"), 0.5) : $told($c7ecb, self.level, "rank"))), place];
 }
 texts() {
-const self = this; let limit;
+const self = this; let form, limit, more, other, power, shown, value;
 
 if ($truth(self.below)) {
-(limit = check__quantity_text($bound(self, "limit"), $bound(self, "dimension")));
-return [("" + "below " + $str(limit)), limit];
+(power = digits__exponent_of(digits__scientific($bound(self, "limit"), 0)));
+return [("" + "< 1e" + $str(power)), ("" + "1e" + $str(power))];
+}
+([value, limit, more] = [self.value, self.limit, ""]);
+if ($truth(self.is_percent)) {
+([value, limit, more] = [$mul(100.0, value), $mul(100.0, limit), " %"]);
 }
 if (!$truth(self.missed)) {
-return [check__quantity_text($bound(self, "value"), $bound(self, "dimension")), check__quantity_text($bound(self, "limit"), $bound(self, "dimension"))];
+(shown = check__quantity_text(value, $bound(self, "dimension")));
+(other = ($truth($math.isnan(limit)) ? "" : self._limit(limit, NaN)));
+} else {
+(form = ($truth(self.at_most) ? "exceeds" : "below"));
+(shown = check__quantity_text(value, $bound(self, "dimension"), limit, form));
+(other = ($truth($math.isnan(limit)) ? "" : self._limit(limit, value)));
 }
-return [check__quantity_text($bound(self, "value"), $bound(self, "dimension"), $bound(self, "limit")), check__quantity_text($bound(self, "limit"), $bound(self, "dimension"), $bound(self, "value"))];
+return [($truth(shown) ? ("" + $str(shown) + $str(more)) : ""), ($truth(other) ? ("" + $str(other) + $str(more)) : "")];
+}
+_limit(limit, missed_by) {
+const self = this; let sense;
+(sense = ($truth(self.at_most) ? "maximum" : "minimum"));
+return cell__format_limit(limit, $bound(self, "dimension"), sense, missed_by);
 }
 bound() {
 const self = this; 
 if ($truth($math.isnan($bound(self, "limit")))) {
 return "";
 }
-return ("" + $str(($truth(self.at_most) ? "at most" : "at least")) + " " + $str($at(self.texts(), 1)));
+return ("" + $str(($truth(self.at_most) ? "max" : "min")) + " " + $str($at(self.texts(), 1)));
 }
-get said() {
-const self = this; let bound, limit, value, words;
+get text() {
+const self = this; let measured, reason;
+
+if ((self.level === "NOT CHECKED")) {
+(reason = ($truth(self.missing) ? ("" + $str(self.missing) + " missing") : self.why));
+return ("" + $str(self.title) + " not checked: " + $str(reason) + ".");
+}
+if (!$truth(self.headline)) {
+(measured = self.measured);
+return ("" + $str(self.title) + $str(($truth(measured) ? ("" + ": " + $str(measured)) : "")) + $str(self.place.bracket) + ".");
+}
+return ("" + $str(self._filled($bound(self, "headline"))) + $str(self.place.bracket) + ".");
+}
+get action_text() {
+const self = this; 
+return self._filled($bound(self, "action"));
+}
+_filled(template) {
+const self = this; let limit, value, words;
 
 ([value, limit] = self.texts());
-if (!$truth(self.says)) {
-(bound = ($truth(limit) ? ("" + ", " + $str(self.bound())) : ""));
-return ($truth(value) ? ("" + $str(self.title) + ": " + $str(value) + $str(bound) + ".") : ("" + $str(self.title) + "."));
-}
-(words = $map([...(function* () { for (const [n, [v, d]] of $iter($m.items(self.more))) { yield [n, check__quantity_text(v, d, self._beside(n))]; } })()]));
+(words = $map([...(function* () { for (const name of $iter(self.more)) { yield [name, self._amount(name)]; } })()]));
 (words = $merged(words, $map([["value", value], ["limit", limit]])));
-return $m.join(" ", (function* () { for (const part of $iter([self.says, self.remedy])) { if (!($truth(part))) continue; yield $m.format(part, [], $map([...words])); } })());
+return $m.format(template, [], $map([...words]));
+}
+_amount(name) {
+const self = this; let nearest, of, others;
+
+(of = $at(self.more, name));
+if (($truth(of.form) && $truth($math.isfinite($bound(of, "value"))))) {
+return cellOf($bound(of, "value"), $bound(of, "dimension"), undefined, of.form);
+}
+(others = [...(function* () { for (const [n, o] of $iter($m.items(self.more))) { if (!(((!$eq(n, name)) && ($eq(o.dimension, of.dimension))))) continue; yield o.value; } })()]);
+(nearest = $b.min(others, $k({key: ((other) => $b.abs($sub(other, of.value))), default: NaN})));
+return check__quantity_text($bound(of, "value"), $bound(of, "dimension"), nearest);
 }
 get numerical() {
 const self = this; 
 return ($in(self.name, $c7c4c));
 }
-get advises() {
-const self = this; 
-return $or(($in(self.name, $c3c1c)), () => $and(($eq(self.name, "design_standard")), () => !$truth(self.binding)));
-}
-get leads() {
-const self = this; 
-return $and((self.level === "FAILS"), () => ($in(self.name, $c5573)));
-}
-_beside(name) {
-const self = this; let dimension, others, value;
+get measured() {
+const self = this; let limit, value;
 
-([value, dimension] = $at(self.more, name));
-(others = [...(function* () { for (const [n, [v, d]] of $iter($m.items(self.more))) { if (!(((!$eq(n, name)) && ($eq(d, dimension))))) continue; yield v; } })()]);
-return $b.min(others, $k({key: ((other) => $b.abs($sub(other, value))), default: NaN}));
+([value, limit] = self.texts());
+if ((!$truth(value) || !$truth(limit))) {
+return value;
+}
+if (!$truth(self.at_most)) {
+return ("" + $str(value) + ", minimum " + $str(limit));
+}
+if (($truth(self.below) || !($truth($math.isfinite($bound(self, "value"))) && $truth($math.isfinite($bound(self, "limit")))))) {
+return ("" + $str(value) + " of " + $str(limit));
+}
+if ($truth(self.is_percent)) {
+return ("" + $str(cellOf($mul(100.0, self.limit), "number", undefined, "of", $mul(100.0, self.value))) + " %");
+}
+return cellOf($bound(self, "limit"), $bound(self, "dimension"), undefined, "of", self.value);
+}
+get full_text() {
+const self = this; 
+return self._filled($bound(self, "full"));
 }
 }
-$sig(Check, ["name", "title", "level", "place", "value", "limit", "dimension", "at_most", "source", "short", "says", "remedy", "otherwise", "more", "binding", "miss"], false, {place: () => $cb829, value: () => NaN, limit: () => NaN, dimension: () => "number", at_most: () => true, source: () => "", short: () => "", says: () => "", remedy: () => "", otherwise: () => "", more: () => new Map(), binding: () => true, miss: () => null});
+$sig(Check, ["name", "title", "level", "place", "quantity", "noun", "value", "limit", "dimension", "is_percent", "at_most", "headline", "action", "full", "label", "source", "missing", "why", "more", "binding", "weak"], false, {place: () => $cb829, quantity: () => "", noun: () => "", value: () => NaN, limit: () => NaN, dimension: () => "number", is_percent: () => false, at_most: () => true, headline: () => "", action: () => "", full: () => "", label: () => "", source: () => "", missing: () => "", why: () => "", more: () => new Map(), binding: () => true, weak: () => []});
 class Pulls extends $Object {
 }
 $sig(Pulls, ["effective_tensions"], false, {});
 class Shares extends $Object {
 }
 $sig(Shares, ["fractions"], false, {});
-class Words extends $Object {
+class Amount extends $Tuple {
 }
-$sig(Words, ["title", "source", "short", "says", "because", "allows", "remedy", "otherwise", "more", "missing", "told"], false, {source: () => "", short: () => "", says: () => "", because: () => "", allows: () => "", remedy: () => "", otherwise: () => "", more: () => new Map(), missing: () => "", told: () => false});
+$sig(Amount, ["value", "dimension", "form"], false, {form: () => ""});
+class CheckText extends $Object {
+}
+$sig(CheckText, ["title", "noun", "headline", "fails", "action", "full", "label", "source", "more", "missing", "why", "show_value"], false, {noun: () => "", headline: () => "", fails: () => "", action: () => "", full: () => "", label: () => "", source: () => "", more: () => new Map(), missing: () => "", why: () => "", show_value: () => false});
 class Speeds extends $Object {
 }
 $sig(Speeds, ["rotation_speeds", "absolute"], false, {absolute: () => false});
@@ -6348,15 +6323,155 @@ $sig(VariableSpeed, ["rated_power", "rated_speed", "gear_ratio", "gear_efficienc
 class Sizes extends $Tuple {
 }
 $sig(Sizes, ["width", "modulus", "speed", "diameter", "idle_wrap", "wrap_angle", "creep_limit", "overrun", "thickness", "shear_modulus", "compression_modulus", "rating", "strength", "bond_strength", "fatigue_limit", "face_pressure", "least_diameter", "sag", "entry", "leaving", "pull", "mass"], false, {});
-class MassRange extends $Tuple {
+class Verdict extends $Object {
+get governing() { return $kept(this, "governing", this.$find_governing()); }
+get listed() { return $kept(this, "listed", this.$find_listed()); }
+get missed() { return $kept(this, "missed", this.$find_missed()); }
+get _at() { return $kept(this, "_at", this.$find__at()); }
+get _places() { return $kept(this, "_places", this.$find__places()); }
+$find_governing() {
+const self = this; let judged;
+
+(judged = [...(function* () { for (const c of $iter(self.checks)) { if (!((c.level !== "NOT CHECKED"))) continue; yield c; } })()]);
+return $b.min(judged, $k({key: verdict___order, default: null}));
 }
-$sig(MassRange, ["least", "most"], false, {});
+get level() {
+const self = this; 
+return ((self.governing == null) ? "OK" : self.governing.level);
+}
+get label() {
+const self = this; let dry;
+
+(dry = $and((self.wet != null), () => (self.wet.level === "NOT CHECKED")));
+return (($truth(dry) && (self.level === "OK")) ? ("" + $str("OK") + " (dry)") : $b.str($bound(self, "level")));
+}
+get wet() {
+const self = this; 
+return $b.next((function* () { for (const c of $iter(self.listed)) { if (!(($eq(c.name, "wet_creep")))) continue; yield c; } })(), null);
+}
+get text() {
+const self = this; let worst;
+
+(worst = self.governing);
+if ((worst == null)) {
+return "Nothing checked.";
+}
+return ($truth(worst.missed) ? worst.text : self._passing(worst));
+}
+_passing(closest) {
+const self = this; let count, text, what;
+(count = self.passed);
+(text = ((!$eq(count, 1)) ? ("" + "All " + $str(count) + " checks pass.") : "1 check passes."));
+if (!$truth($math.isfinite($bound(closest, "used")))) {
+return text;
+}
+(what = ("" + $str($or(closest.noun, () => closest.title)) + " " + $str(closest.measured)));
+return ("" + $str(text) + " Closest: " + $str(what) + $str(closest.place.bracket) + ".");
+}
+get also() {
+const self = this; 
+return $slice(self.missed, 1, null);
+}
+get wet_text() {
+const self = this; let wet;
+
+(wet = self.wet);
+if (((wet == null) || $truth(wet.missed))) {
+return "";
+}
+if ((wet.level === "NOT CHECKED")) {
+return ((self.level === "OK") ? ("" + "Not checked: " + $str(wet.why) + ".") : "");
+}
+return ("" + "Creep " + $str($at(wet.texts(), 0)) + " (estimated) passes.");
+}
+$find_listed() {
+const self = this; let check, current, worst;
+
+(worst = $map([]));
+for (check of $iter(self.checks)) {
+(current = $m.get(worst, $bound(check, "name"), check));
+$put(worst, check.name, $b.min(current, check, $k({key: verdict___order})));
+}
+return $b.tuple($m.values(worst));
+}
+$find_missed() {
+const self = this; 
+return $b.tuple($b.sorted((function* () { for (const c of $iter(self.listed)) { if (!($truth(c.missed))) continue; yield c; } })(), $k({key: verdict___order})));
+}
+get passed() {
+const self = this; 
+return $b.sum((function* () { for (const c of $iter(self.listed)) { yield $and(c.compares, () => !$truth(c.missed)); } })());
+}
+get not_checked() {
+const self = this; 
+return $b.tuple((function* () { for (const c of $iter(self.listed)) { if (!((c.level === "NOT CHECKED"))) continue; yield c; } })());
+}
+get data() {
+const self = this; 
+return verdict__data_line($b.tuple((function* () { for (const c of $iter(self.checks)) { for (const item of $iter(c.weak)) { yield item; }} })()));
+}
+get remarks() {
+const self = this; let texts;
+
+(texts = (function* () { for (const c of $iter(self.checks)) { if (!((($eq(c.name, "data")) && $truth(c.full)))) continue; yield c.full_text; } })());
+return $b.tuple($b.fromkeys(texts));
+}
+get full() {
+const self = this; let texts;
+
+(texts = [...(function* () { for (const c of $iter(self.missed)) { if (!($truth(c.full))) continue; yield ("" + $str(c.title) + ": " + $str(c.full_text)); } })()]);
+return [...$iter($b.fromkeys(texts)), ...$iter(self._senses())];
+}
+_senses() {
+const self = this; let every, here, senses, texts, title;
+
+(every = $sub(new Set((function* () { for (const c of $iter(self.checks)) { yield c.place.load_case; } })()), new Set([""])));
+(senses = [...(function* () { for (const c of $iter(self.checks)) { if (!(($eq(c.name, "sense")))) continue; yield c; } })()]);
+(texts = []);
+for (title of $iter($b.fromkeys((function* () { for (const c of $iter(senses)) { yield c.title; } })()))) {
+(here = new Set((function* () { for (const c of $iter(senses)) { if (!(($eq(c.title, title)))) continue; yield c.place.load_case; } })()));
+$m.append(texts, ("" + $str(title) + " in " + $str($b.len(here)) + " of " + $str($b.len(every)) + " load cases."));
+}
+return texts;
+}
+at(pulley, load_case) {
+const self = this; let known, mine, own, places, there;
+
+(known = $m.setdefault(self._at, load_case, $map([])));
+if ((!$in(pulley, known))) {
+(places = $b.fromkeys(["", load_case]));
+(there = $b.sorted((function* () { for (const place of $iter(places)) { for (const n of $iter($m.get(self._places, place, []))) { yield n; }} })()));
+(mine = [...(function* () { for (const number of $iter(there)) { yield $at(self.checks, number); } })()]);
+(own = $b.tuple((function* () { for (const check of $iter(mine)) { if (!(($in(check.place.pulley, ["", pulley])))) continue; yield check; } })()));
+$put(known, pulley, (($eq($b.len(own), $b.len($bound(self, "checks")))) ? self : new Verdict(own)));
+}
+return $at(known, pulley);
+}
+within(load_case) {
+const self = this; let own;
+
+(own = $b.tuple((function* () { for (const c of $iter(self.checks)) { if (!(($in(c.place.load_case, ["", load_case])))) continue; yield c; } })()));
+return (($eq($b.len(own), $b.len($bound(self, "checks")))) ? self : new Verdict(own));
+}
+$find__at() {
+const self = this; return $map([]);
+}
+$find__places() {
+const self = this; let check, found, number;
+(found = $map([]));
+for ([number, check] of $iter($b.enumerate($bound(self, "checks")))) {
+$m.append($m.setdefault(found, $bound(check.place, "load_case"), []), number);
+}
+return found;
+}
+}
+$sig(Verdict, ["checks"], false, {});
 class Figure extends $Object {
 }
 $sig(Figure, ["name", "title", "tension", "place", "binding", "at_least"], false, {binding: () => true, at_least: () => true});
-class Asked extends $Object {
+class StandardRequirement extends $Object {
 }
-$sig(Asked, ["rule", "wrap_factor", "source", "why_not"], false, {why_not: () => ""});
+$sig(StandardRequirement, ["name", "how", "wrap_factor", "source", "why_not"], false, {why_not: () => ""});
 class LeastTension extends $Object {
 get required() { return $kept(this, "required", this.$find_required()); }
 get governing() { return $kept(this, "governing", this.$find_governing()); }
@@ -6403,175 +6518,6 @@ return $b.next((function* () { for (const f of $iter(self.figures)) { if (!(($eq
 }
 }
 $sig(LeastTension, ["figures", "given", "counterweight", "elsewhere"], false, {elsewhere: () => false});
-class Verdict extends $Object {
-get governing() { return $kept(this, "governing", this.$find_governing()); }
-get listed() { return $kept(this, "listed", this.$find_listed()); }
-get missed() { return $kept(this, "missed", this.$find_missed()); }
-get _at() { return $kept(this, "_at", this.$find__at()); }
-get _places() { return $kept(this, "_places", this.$find__places()); }
-get odd() { return $kept(this, "odd", this.$find_odd()); }
-get qualifier() { return $kept(this, "qualifier", this.$find_qualifier()); }
-$find_governing() {
-const self = this; let judged;
-
-(judged = [...(function* () { for (const c of $iter(self.checks)) { if (!((c.level !== "NOT CHECKED"))) continue; yield c; } })()]);
-return $b.min(judged, $k({key: check___badness, default: null}));
-}
-get level() {
-const self = this; 
-return ((self.governing == null) ? "OK" : self.governing.level);
-}
-get word() {
-const self = this; 
-if ((self.level !== "OK")) {
-return $b.str($bound(self, "level"));
-}
-return ($truth(self.qualifier) ? ("" + $str(self.ok_word) + ", " + $str(self.qualifier)) : self.ok_word);
-}
-get ok_word() {
-const self = this; let dry;
-
-(dry = $and((self.wet != null), () => (self.wet.level === "NOT CHECKED")));
-return ($truth(dry) ? ("" + $str("OK") + " (dry)") : $b.str("OK"));
-}
-get wet() {
-const self = this; 
-return $b.next((function* () { for (const c of $iter(self.listed)) { if (!(($eq(c.name, "wet_creep")))) continue; yield c; } })(), null);
-}
-$find_listed() {
-const self = this; let check, held, worst;
-
-(worst = $map([]));
-for (check of $iter(self.checks)) {
-(held = $m.get(worst, $bound(check, "name"), check));
-$put(worst, check.name, $b.min(held, check, $k({key: check___badness})));
-}
-return $b.tuple($m.values(worst));
-}
-$find_missed() {
-const self = this; 
-return $b.tuple($b.sorted((function* () { for (const c of $iter(self.listed)) { if (!($truth(c.missed))) continue; yield c; } })(), $k({key: check___badness})));
-}
-nearness(check) {
-const self = this; 
-return check___badness(check);
-}
-get data() {
-const self = this; let told;
-
-(told = (function* () { for (const c of $iter(self.checks)) { if (!((($in(c.name, ["data", "belt_mass"])) && $truth(c.says)))) continue; yield c.said; } })());
-return $b.tuple($b.fromkeys(told));
-}
-at(pulley, load_case) {
-const self = this; let known, mine, own, places, there;
-
-(known = $m.setdefault(self._at, load_case, $map([])));
-if ((!$in(pulley, known))) {
-(places = $b.fromkeys(["", load_case]));
-(there = $b.sorted((function* () { for (const place of $iter(places)) { for (const n of $iter($m.get(self._places, place, []))) { yield n; }} })()));
-(mine = [...(function* () { for (const number of $iter(there)) { yield $at(self.checks, number); } })()]);
-(own = $b.tuple((function* () { for (const check of $iter(mine)) { if (!(($in(check.place.pulley, ["", pulley])))) continue; yield check; } })()));
-$put(known, pulley, (($eq($b.len(own), $b.len($bound(self, "checks")))) ? self : new Verdict(own)));
-}
-return $at(known, pulley);
-}
-within(load_case) {
-const self = this; let own;
-
-(own = $b.tuple((function* () { for (const c of $iter(self.checks)) { if (!(($in(c.place.load_case, ["", load_case])))) continue; yield c; } })()));
-return (($eq($b.len(own), $b.len($bound(self, "checks")))) ? self : new Verdict(own));
-}
-$find__at() {
-const self = this; return $map([]);
-}
-$find__places() {
-const self = this; let check, found, number;
-(found = $map([]));
-for ([number, check] of $iter($b.enumerate($bound(self, "checks")))) {
-$m.append($m.setdefault(found, $bound(check.place, "load_case"), []), number);
-}
-return found;
-}
-get lead() {
-const self = this; let _, odd, said, text, value, where, worst;
-
-(worst = self.governing);
-if ((worst == null)) {
-return "Nothing could be checked.";
-}
-if ((self.odd != null)) {
-([said, odd] = (function* () { for (const check of $iter([worst, self.odd])) { yield $replaced(check, new Map([["remedy", ""]])); } })());
-return $m.rstrip(("" + $str(check__placed(said)) + $str(self._sense()) + " " + $str(odd.said) + " " + $str(self.action)));
-}
-if ($truth(worst.missed)) {
-return ("" + $str(check__placed(worst)) + $str(self._sense()));
-}
-(text = ("" + "All " + $str($b.sum((function* () { for (const c of $iter(self.listed)) { yield c.compares; } })())) + " checks are kept"));
-if (($truth($math.isnan($bound(worst, "margin"))) || $truth($math.isinf($bound(worst, "margin"))))) {
-return ("" + $str(text) + "." + $str(self._sense()));
-}
-([value, _] = worst.texts());
-(where = ($truth($b.str($bound(worst, "place"))) ? ("" + " (" + $str(worst.place) + ")") : ""));
-return ("" + $str(text) + "; nearest to its limit is " + $str(check___small($bound(worst, "title"))) + ", " + $str(value) + ", " + $str(worst.bound()) + $str(where) + "." + $str(self._sense()));
-}
-get action() {
-const self = this; let told;
-
-(told = (function* () { for (const check of $iter([self.odd, self.governing])) { if (!(((check != null) && $truth(check.missed) && $truth(check.says)))) continue; yield $m.strip($m.removeprefix(check.said, $bound($replaced(check, new Map([["remedy", ""]])), "said"))); } })());
-return $m.join(" ", $b.filter(null, told));
-}
-_sense() {
-const self = this; let braking, every, here, some, title, told;
-
-(every = $sub(new Set((function* () { for (const c of $iter(self.checks)) { yield c.place.load_case; } })()), new Set([""])));
-(braking = [...(function* () { for (const c of $iter(self.checks)) { if (!(($eq(c.name, "sense")))) continue; yield c; } })()]);
-(told = "");
-for (title of $iter($b.fromkeys((function* () { for (const c of $iter(braking)) { yield c.title; } })()))) {
-(here = new Set((function* () { for (const c of $iter(braking)) { if (!(($eq(c.title, title)))) continue; yield c.place.load_case; } })()));
-(some = (($b.len(here) < $b.len(every)) ? ("" + " in " + $str($b.len(here)) + " of " + $str($b.len(every)) + " load cases") : ""));
-(told = $add(told, ("" + " " + $str(title) + $str(some) + ".")));
-}
-return told;
-}
-get others() {
-const self = this; let first, others, told;
-
-(first = new Set((function* () { for (const c of $iter([self.governing, self.odd])) { if (!((c != null))) continue; yield c.name; } })()));
-(others = (function* () { for (const check of $iter(self.missed)) { if (!((!$in(check.name, first)))) continue; yield check; } })());
-(told = [...(function* () { for (const check of $iter(others)) { yield ("" + $str(check.level) + ": " + $str(check__placed(check))); } })()]);
-(told = $add(told, self._when_wet()));
-if ((($told($c13db, self.level, "rank") > $told($c13db, "OK", "rank")) && $truth(self.qualifier))) {
-$m.append(told, ("" + "All of this stands " + $str(self.qualifier) + "."));
-}
-return $b.tuple(told);
-}
-$find_odd() {
-const self = this; let worst;
-
-(worst = self.governing);
-if (((worst == null) || ($eq(worst.name, "usual_sizes")))) {
-return null;
-}
-return $b.next((function* () { for (const c of $iter(self.listed)) { if (!((($eq(c.name, "usual_sizes")) && $truth(c.missed)))) continue; yield c; } })(), null);
-}
-$find_qualifier() {
-const self = this; let found;
-
-(found = new Set((function* () { for (const c of $iter(self.checks)) { if (!(($eq(c.name, "data")))) continue; yield c.short; } })()));
-return $b.next((function* () { for (const word of $iter($cc969)) { if (!(($in(word, found)))) continue; yield word; } })(), "");
-}
-_when_wet() {
-const self = this; 
-if (((self.wet == null) || (self.level !== "OK"))) {
-return [];
-}
-if ((self.wet.level === "NOT CHECKED")) {
-return [("" + "Wet: not checked, " + $str(self.wet.short) + ".")];
-}
-return [("" + "Wet: creep " + $str($at(self.wet.texts(), 0)) + " (estimated) passes.")];
-}
-}
-$sig(Verdict, ["checks"], false, {});
 class Row extends $Object {
 }
 $sig(Row, ["title", "values", "symbol", "note", "name", "level"], false, {symbol: () => "", note: () => "", name: () => "", level: () => null});
@@ -6917,7 +6863,7 @@ const self = this;
 return $m.get(self.sources, part, $bound(self, "provenance"));
 }
 }
-$sig(Lagging, ["name", "law", "thickness", "shear_modulus", "compression_modulus", "title", "condition", "surface", "elastic_modulus", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "cost", "fit", "factors", "condition_factors", "block", "provenance", "sources", "notes", "description"], false, {thickness: () => 0.0, shear_modulus: () => Infinity, compression_modulus: () => Infinity, title: () => "", condition: () => "dry", surface: () => "", elastic_modulus: () => null, wear_coefficient: () => null, belt_energy_share: () => null, bond_strength: () => null, fatigue_limit: () => null, cost: () => null, fit: () => null, factors: () => null, condition_factors: () => new Map(), block: () => null, provenance: () => new Provenance(), sources: () => new Map(), notes: () => [], description: () => ""});
+$sig(Lagging, ["name", "law", "thickness", "shear_modulus", "compression_modulus", "title", "condition", "surface", "elastic_modulus", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "cost", "fit", "factors", "condition_factors", "block", "provenance", "sources", "scaled_by", "notes", "description"], false, {thickness: () => 0.0, shear_modulus: () => Infinity, compression_modulus: () => Infinity, title: () => "", condition: () => "dry", surface: () => "", elastic_modulus: () => null, wear_coefficient: () => null, belt_energy_share: () => null, bond_strength: () => null, fatigue_limit: () => null, cost: () => null, fit: () => null, factors: () => null, condition_factors: () => new Map(), block: () => null, provenance: () => new Provenance(), sources: () => new Map(), scaled_by: () => null, notes: () => [], description: () => ""});
 class LoadGiven extends $Tuple {
 }
 $sig(LoadGiven, ["entry_tension", "exit_tension", "effective_tension", "torque", "power"], false, {entry_tension: () => null, exit_tension: () => null, effective_tension: () => null, torque: () => null, power: () => null});
@@ -6965,6 +6911,9 @@ class OfBelt extends $Dict {
 class Description extends $Tuple {
 }
 $sig(Description, ["entry_tension", "exit_tension", "diameter", "wrap_angle", "width", "axial_stiffness", "thickness", "shear_modulus", "compression_modulus", "overrun", "recovery", "belt_speed", "wear_coefficient", "shear_compliance", "pitch_offset", "centrifugal"], false, {});
+class DataLine extends $Tuple {
+}
+$sig(DataLine, ["items", "text"], false, {});
 class CompactLaw extends $Tuple {
 }
 $sig(CompactLaw, ["kind", "edges", "coefficients", "slips", "onset_compliance"], false, {slips: () => [], onset_compliance: () => 0.0});
@@ -7624,31 +7573,34 @@ return ("" + ", outside the usual " + $format(least, ("" + ".3f")) + " to " + $f
 $sig(Conveyor, ["length", "lift", "belt_mass", "carry_idler_mass", "return_idler_mass", "material_mass", "capacity", "friction_factor", "length_coefficient", "secondary_resistance", "special_resistance", "return_share", "start_factor", "start_time", "stop_time", "take_up_tension", "counterweight", "take_up_distance", "drive_at", "speed", "sheave_ratio"], false, {lift: () => 0.0, material_mass: () => null, capacity: () => null, friction_factor: () => 0.02, length_coefficient: () => null, secondary_resistance: () => null, special_resistance: () => 0.0, return_share: () => 0.0, start_factor: () => null, start_time: () => null, stop_time: () => null, take_up_tension: () => null, counterweight: () => null, take_up_distance: () => 0.0, drive_at: () => "head", speed: () => null, sheave_ratio: () => 2.0});
 class Rule extends $Object {
 *checks(of) {
-const self = this; let check, found, limit, missing, told, value, words;
+const self = this; let check, found, limit, noun, shown, text, title, value, why;
 
-if ((self.asked != null)) {
-yield* $iter(self.asked(of));
+if ((self.find_checks != null)) {
+yield* $iter(self.find_checks(of));
 return null;
 }
-(words = ($truth(self.words) ? self.words(of) : null));
+(text = ($truth(self.text) ? self.text(of) : null));
 (found = ($in(self.result, of.state.found)));
-if (((words == null) || ($truth(self.result) && !$truth(found) && !$truth(of.unknown)))) {
+if (((text == null) || ($truth(self.result) && !$truth(found) && !$truth(of.unknown)))) {
 return null;
 }
 (value = (($truth(self.result) && !$truth(found)) ? NaN : self.compared($bound(of, "state"))));
-(missing = $or(words.missing, () => ($truth(self.result) ? of.unknown : "")));
-(missing = $or(missing, () => ($truth($math.isnan(value)) ? "its value is not known" : "")));
-if ($truth(missing)) {
-(check = rule__not_checked($bound(self, "name"), $bound(words, "title"), missing, $bound(of, "place")));
-(told = $replaced(check, new Map([["value", value], ["dimension", self.dimension]])));
-yield ($truth(words.told) ? told : check);
+(why = $or(text.why, () => ($truth(self.result) ? of.unknown : "")));
+if ((!($truth(text.missing) || $truth(why)) && $truth($math.isnan(value)))) {
+(why = "value unknown");
+}
+if (($truth(text.missing) || $truth(why))) {
+([title, noun] = [text.title, text.noun]);
+(check = rule__not_checked($bound(self, "name"), title, noun, $bound(of, "place"), text.missing, why));
+(shown = $replaced(check, new Map([["value", value], ["dimension", self.dimension]])));
+yield ($truth(text.show_value) ? shown : check);
 return null;
 }
 (limit = self.limit_at(of));
 if ((self.rounded != null)) {
 (value = self.rounded(value, limit, $bound(of, "state")));
 }
-yield self.held($bound(of, "drive")).judged(value, limit, $bound(of, "place"), words);
+yield self.for_drive($bound(of, "drive")).compare(value, limit, $bound(of, "place"), text);
 }
 compared(state) {
 const self = this; 
@@ -7668,7 +7620,7 @@ const self = this; let allowed;
 (allowed = ($truth(self.allowed) ? self.allowed(of) : null));
 return self.limited(((allowed == null) ? NaN : allowed), $bound(of, "state"));
 }
-held(drive) {
+for_drive(drive) {
 const self = this; let firm;
 
 if ((self.firm == null)) {
@@ -7677,20 +7629,21 @@ return self;
 (firm = self.firm(drive));
 return $replaced(self, new Map([["missed", ($truth(firm) ? "FAILS" : self.missed)], ["binding", firm]]));
 }
-judged(value, limit, place, words) {
-const self = this; let kept, level, miss, says;
+compare(value, limit, place, text) {
+const self = this; let fails, headline, level, passes;
 
-(kept = $and(!$truth($math.isnan(value)), () => check__keeps(value, limit, self.at_most)));
-(miss = new Miss($bound(self, "missed"), $bound(words, "short"), $bound(words, "says"), $bound(words, "remedy"), $bound(self, "fails_beyond"), $bound(words, "because"), $bound(self, "tolerates"), $bound(words, "allows"), $bound(words, "otherwise")));
-([level, says] = miss.at(value, $bound(self, "at_most")));
-return new Check(self.name, words.title, ($truth(kept) ? "OK" : level), place, value, limit, self.dimension, self.at_most, words.source, ($truth(kept) ? "" : words.short), ($truth(kept) ? "" : says), ($truth(kept) ? "" : words.remedy), ($truth(kept) ? "" : words.otherwise), words.more, self.binding, miss);
+(passes = $and(!$truth($math.isnan(value)), () => check__keeps(value, limit, self.at_most)));
+(fails = numbers__beyond(value, $bound(self, "fails_beyond"), $bound(self, "at_most")));
+(headline = (($truth(fails) && $truth(text.fails)) ? text.fails : text.headline));
+(level = ($truth(fails) ? "FAILS" : self.missed));
+return new Check(self.name, text.title, ($truth(passes) ? "OK" : level), place, $or(self.result, () => self.name), text.noun, value, limit, self.dimension, self.is_percent, self.at_most, ($truth(passes) ? "" : headline), ($truth(passes) ? "" : text.action), ($truth(passes) ? "" : text.full), ($truth(passes) ? "" : text.label), text.source, undefined, undefined, text.more, self.binding);
 }
 limited(allowed, state) {
 const self = this; 
 return ((self.limit == null) ? allowed : self.limit(allowed, state));
 }
 }
-$sig(Rule, ["name", "what", "missed", "fails_beyond", "tolerates", "at_most", "dimension", "tension", "binding", "firm", "result", "value", "allowed", "limit", "rounded", "pulls", "of_rows", "of_runs", "words", "asked"], false, {missed: () => "ATTENTION", fails_beyond: () => NaN, tolerates: () => NaN, at_most: () => true, dimension: () => "number", tension: () => "", binding: () => true, firm: () => null, result: () => "", value: () => null, allowed: () => null, limit: () => null, rounded: () => null, pulls: () => false, of_rows: () => true, of_runs: () => true, words: () => null, asked: () => null});
+$sig(Rule, ["name", "what", "missed", "fails_beyond", "is_percent", "at_most", "dimension", "tension", "binding", "firm", "result", "value", "allowed", "limit", "rounded", "pulls", "of_rows", "of_runs", "text", "find_checks"], false, {missed: () => "ATTENTION", fails_beyond: () => NaN, is_percent: () => false, at_most: () => true, dimension: () => "number", tension: () => "", binding: () => true, firm: () => null, result: () => "", value: () => null, allowed: () => null, limit: () => null, rounded: () => null, pulls: () => false, of_rows: () => true, of_runs: () => true, text: () => null, find_checks: () => null});
 class DesignFriction extends $Object {
 }
 $sig(DesignFriction, ["standard", "surface", "condition", "friction", "provenance"], false, {});
@@ -7946,18 +7899,6 @@ return $add(self.carrying, self.returning);
 }
 }
 $sig(Resistance, ["name", "carrying", "returning", "source"], false, {});
-class Miss extends $Tuple {
-at(value, at_most) {
-const self = this; let says;
-
-if ($truth(numbers__beyond(value, $bound(self, "fails_beyond"), at_most))) {
-return ["FAILS", $m.rstrip(("" + $str(self.says) + " " + $str(self.because)))];
-}
-(says = ((value <= self.tolerates) ? ("" + $str(self.says) + " " + $str(self.allows)) : self.says));
-return [self.level, $m.rstrip(says)];
-}
-}
-$sig(Miss, ["level", "short", "says", "remedy", "fails_beyond", "because", "tolerates", "allows", "otherwise"], false, {fails_beyond: () => NaN, because: () => "", tolerates: () => NaN, allows: () => "", otherwise: () => ""});
 class OneOrMore extends Kind {
 read(raw, place, report) {
 const self = this; 
@@ -9357,41 +9298,42 @@ const $ca366 = $re("[A-Za-z0-9_-]{1,60}", "");
 const $c4a3b = new Map([["The pulley carries its load.", true], ["Breakaway: no creep makes enough friction for this tension ratio. Raise the slack-side tension (take-up), enlarge the wrap angle, or choose a lagging with more friction.", false], ["The solver did not reach its accuracy on this arc. Please report the drive file; until then change a value slightly.", false], ["The drives carry the load.", true], ["Breakaway: a drive cannot hold its part of the load. Raise the slack-side tension (take-up), bring the speeds closer together, or choose a lagging with more friction.", false], ["No operating point: a motor would have to work beyond its curve. Change its set speed or gear, or choose another motor.", false], ["The solver did not reach its accuracy on this train. Please report the drive file; until then change a value slightly.", false]]);
 const $cf933 = new Map([["illustrative", "illustrative: it describes no real product"], ["calibrated", "calibrated: it was fitted to a known result"]]);
 const $c5dd1 = ["illustrative", "calibrated", "estimated"];
-const $c66b4 = new WeakMap();
-const $cfe5e = ["name", "what", "missed", "fails_beyond", "tolerates", "at_most", "dimension", "tension", "binding", "firm", "result", "value", "allowed", "limit", "rounded", "words", "asked"];
-const $cb138 = $made(Rule, $cfe5e, ["train_balance", "the balance of the train", "FAULT OF THE PROGRAM", NaN, NaN, true, "number", "", false, null, "", null, null, null, null, null, null]);
-const $c625f = new Map([[false, "Motor torque over rated torque, running"], [true, "Motor torque over rated torque, momentary"]]);
-const $c58a5 = $made(Rule, $cfe5e, ["momentary_load", "the torque that a motor bears in a start", "ATTENTION", NaN, NaN, true, "number", "", true, null, "", of_train___motor_torque, null, null, null, null, null]);
-const $c0dbc = $made(Rule, $cfe5e, ["motor_load", "the rating of a motor", "ATTENTION", 1.15, NaN, true, "number", "", true, null, "", of_train___motor_torque, null, null, null, null, null]);
+const $c8123 = new WeakMap();
+const $cd857 = ["Gross slip: one drive cannot transmit its share", "gross slip", ""];
+const $c6b46 = ["Motor limit reached: no operating point", "motor limit", "Try another speed or motor."];
+const $c7df9 = ["No solution", "not solved", "Do not use this result. Report the drive file."];
+const $c3340 = new Map([["Breakaway: a drive cannot hold its part of the load. Raise the slack-side tension (take-up), bring the speeds closer together, or choose a lagging with more friction.", $cd857], ["No operating point: a motor would have to work beyond its curve. Change its set speed or gear, or choose another motor.", $c6b46], ["The solver did not reach its accuracy on this train. Please report the drive file; until then change a value slightly.", $c7df9]]);
+const $cc967 = ["name", "what", "missed", "fails_beyond", "is_percent", "at_most", "dimension", "tension", "binding", "firm", "result", "value", "allowed", "limit", "rounded", "text", "find_checks"];
+const $cb138 = $made(Rule, $cc967, ["train_balance", "the balance of the train", "INTERNAL ERROR", NaN, false, true, "number", "", false, null, "", null, null, null, null, null, null]);
+const $c625f = new Map([[false, "Motor torque, running"], [true, "Motor torque, momentary"]]);
+const $c58a5 = $made(Rule, $cc967, ["momentary_load", "the momentary torque of a motor", "ATTENTION", NaN, true, true, "number", "", true, null, "", of_train___motor_torque, null, null, null, null, null]);
+const $c0dbc = $made(Rule, $cc967, ["motor_load", "the rating of a motor", "ATTENTION", 1.15, true, true, "number", "", true, null, "", of_train___motor_torque, null, null, null, null, null]);
 const $c576d = ["Speed"];
 const $c87cd = ["Motor"];
-const $c84c4 = $made(Rule, $cfe5e, ["gross_slip", "the safety against gross slip", "ATTENTION", 1.0, NaN, false, "number", "raise", true, null, "", null, null, null, null, null, null]);
-const $caf89 = ["by creep", "The belt slides (creep of {slides})"];
-const $c4313 = ["by tested slip", "The slip leaves the tests of lagging ⟦lagging⟧"];
-const $ca9e8 = ["by the largest friction", "All friction of the wrap is used up"];
-const $c48c7 = new Map([[0, $caf89], [1, $c4313], [2, $ca9e8]]);
+const $c84c4 = $made(Rule, $cc967, ["gross_slip", "the gross-slip safety", "ATTENTION", 1.0, false, false, "number", "raise", true, null, "", null, null, null, null, null, null]);
+const $c48c7 = new Map([[0, "A creep of {slides} comes first."], [1, "The end of the tested slip of lagging ⟦lagging⟧ comes first."], [2, "The whole friction of the wrap comes first."]]);
 const $cc89a = ["exit_creep", "peak_shear_stress", "largest_slip", "slip_speed"];
-const $c960d = $made(Rule, $cfe5e, ["design_standard", "the design standard", "ATTENTION", NaN, NaN, false, "force", "raise", true, of_arc___binds, "", null, null, null, null, null, of_arc___standard]);
-const $cc27f = $made(Rule, $cfe5e, ["creep", "the creep limit", "ATTENTION", 0.0635, 0.0127, true, "length", "raise", true, null, "exit_creep", null, null, of_arc___creep_limit, null, of_arc___creeps, null]);
-const $c8a85 = $made(Rule, $cfe5e, ["cover_creep", "the creep limit, with the cover of the belt in series", "ATTENTION", NaN, NaN, true, "length", "raise", false, null, "", null, null, null, null, null, of_arc___cover_creep]);
-const $cef26 = $made(Rule, $cfe5e, ["creep_interval", "the creep limit, at the end of the interval of the law", "ATTENTION", NaN, NaN, true, "length", "raise", false, null, "", null, null, null, null, null, in_page_checks__creep_interval]);
-const $c2e75 = $made(Rule, $cfe5e, ["wet_creep", "the creep limit when wet (estimated)", "ATTENTION", NaN, NaN, true, "length", "raise", false, null, "", null, null, null, null, null, of_wet___wet_creep]);
-const $c8994 = $made(Rule, $cfe5e, ["belt_tension", "the rating of the belt", "FAILS", NaN, NaN, true, "force", "lower", true, null, "", of_drive___tight, of_drive___running_tension, of_drive___over_width, null, of_drive___running, null]);
-const $c5c30 = $made(Rule, $cfe5e, ["momentary_tension", "the momentary rating of the belt", "FAILS", NaN, NaN, true, "force", "lower", true, null, "", of_drive___tight, of_drive___momentary_tension, of_drive___over_width, null, of_drive___momentary, null]);
-const $c25bf = $made(Rule, $cfe5e, ["belt_safety", "the safety factor of the belt", "ATTENTION", 3.0, NaN, false, "number", "lower", true, of_drive___rated, "", of_drive___belt_safety, of_drive___asked_safety, null, of_drive___rounded_safety, of_drive___safety, null]);
-const $c72eb = $made(Rule, $cfe5e, ["face_pressure", "the pressure on the pulley face", "ATTENTION", NaN, NaN, true, "pressure", "lower", true, null, "", of_drive___tight_pressure, of_drive___face_pressure, null, null, of_drive___on_face, null]);
-const $ce298 = $made(Rule, $cfe5e, ["bond_stress", "the bond strength of the lagging", "ATTENTION", NaN, NaN, true, "pressure", "", true, null, "peak_shear_stress", null, of_arc___bond_strength, null, null, of_arc___bond, null]);
-const $cb3d1 = $made(Rule, $cfe5e, ["fatigue_stress", "the fatigue limit of the lagging", "ATTENTION", NaN, NaN, true, "pressure", "", true, null, "peak_shear_stress", null, of_arc___fatigue_limit, null, null, of_arc___tires, null]);
-const $cc16f = $made(Rule, $cfe5e, ["tested_pressure_max", "the largest wrap pressure tested", "ATTENTION", NaN, NaN, true, "pressure", "lower", true, null, "", of_drive___tight_pressure, of_drive___pressure_max, null, null, of_drive___tested_max, null]);
-const $cfecd = $made(Rule, $cfe5e, ["tested_pressure_min", "the least wrap pressure tested", "ATTENTION", NaN, NaN, false, "pressure", "raise", true, null, "", of_drive___slack_pressure, of_drive___pressure_min, null, null, of_drive___tested_min, null]);
-const $cabd6 = $made(Rule, $cfe5e, ["condition", "friction that was not tested in the condition", "ATTENTION", NaN, NaN, true, "number", "", false, null, "", null, null, null, null, null, of_data___condition]);
-const $c3f6d = $made(Rule, $cfe5e, ["fit", "friction that does not fit its tests", "ATTENTION", NaN, NaN, true, "number", "", false, null, "", null, null, null, null, null, of_data___fit]);
-const $c5a91 = $made(Rule, $cfe5e, ["tested_slip", "the largest slip tested", "ATTENTION", NaN, NaN, true, "length", "raise", true, null, "largest_slip", null, of_arc___slip_max, null, null, of_arc___slips, null]);
-const $c5d85 = $made(Rule, $cfe5e, ["tested_slip_speed", "the slip speed tested", "ATTENTION", NaN, NaN, true, "speed", "", false, null, "slip_speed", null, of_arc___tested_speed, null, null, of_arc___slips_fast, null]);
-const $c0d6e = $made(Rule, $cfe5e, ["balance", "the energy balance", "FAULT OF THE PROGRAM", NaN, NaN, true, "number", "", false, null, "", null, null, null, null, null, of_arc___balance]);
-const $c8634 = $made(Rule, $cfe5e, ["sag", "the sag of the belt", "ATTENTION", NaN, NaN, false, "force", "raise", true, null, "", of_drive___slack_end, of_drive___sag_tension, null, null, of_drive___sags, null]);
+const $c960d = $made(Rule, $cc967, ["design_standard", "the design standard", "ATTENTION", NaN, false, false, "force", "raise", true, of_arc___binds, "", null, null, null, null, null, of_arc___standard]);
+const $cc27f = $made(Rule, $cc967, ["creep", "the creep limit", "ATTENTION", 0.0635, false, true, "length", "raise", true, null, "exit_creep", null, null, of_arc___creep_limit, null, of_arc___creep, null]);
+const $c8a85 = $made(Rule, $cc967, ["cover_creep", "the creep limit, with the cover of the belt in series", "ATTENTION", NaN, false, true, "length", "raise", false, null, "", null, null, null, null, null, of_arc___cover_creep]);
+const $cef26 = $made(Rule, $cc967, ["creep_interval", "the creep limit, at the end of the interval of the law", "ATTENTION", NaN, false, true, "length", "raise", false, null, "", null, null, null, null, null, in_page_checks__creep_interval]);
+const $c2e75 = $made(Rule, $cc967, ["wet_creep", "the creep limit when wet (estimated)", "ATTENTION", NaN, false, true, "length", "raise", false, null, "", null, null, null, null, null, of_wet___wet_creep]);
+const $c8994 = $made(Rule, $cc967, ["belt_tension", "the rating of the belt", "FAILS", NaN, false, true, "force", "lower", true, null, "", of_drive___tight, of_drive___running_tension, of_drive___over_width, null, of_drive___running, null]);
+const $c5c30 = $made(Rule, $cc967, ["momentary_tension", "the momentary rating of the belt", "FAILS", NaN, false, true, "force", "lower", true, null, "", of_drive___tight, of_drive___momentary_tension, of_drive___over_width, null, of_drive___momentary, null]);
+const $c25bf = $made(Rule, $cc967, ["belt_safety", "the safety factor of the belt", "ATTENTION", 3.0, false, false, "number", "lower", true, of_drive___rated, "", of_drive___belt_safety, of_drive___required_safety, null, of_drive___rounded_safety, of_drive___safety, null]);
+const $c72eb = $made(Rule, $cc967, ["face_pressure", "the pressure on the pulley face", "ATTENTION", NaN, false, true, "pressure", "lower", true, null, "", of_drive___tight_pressure, of_drive___face_pressure, null, null, of_drive___on_face, null]);
+const $ce298 = $made(Rule, $cc967, ["bond_stress", "the bond strength of the lagging", "ATTENTION", NaN, false, true, "pressure", "", true, null, "peak_shear_stress", null, of_arc___bond_strength, null, null, of_arc___bond, null]);
+const $cb3d1 = $made(Rule, $cc967, ["fatigue_stress", "the fatigue limit of the lagging", "ATTENTION", NaN, false, true, "pressure", "", true, null, "peak_shear_stress", null, of_arc___fatigue_limit, null, null, of_arc___fatigue, null]);
+const $cc16f = $made(Rule, $cc967, ["tested_pressure_max", "the maximum wrap pressure tested", "ATTENTION", NaN, false, true, "pressure", "lower", true, null, "", of_drive___tight_pressure, of_drive___pressure_max, null, null, of_drive___tested_max, null]);
+const $cfecd = $made(Rule, $cc967, ["tested_pressure_min", "the minimum wrap pressure tested", "ATTENTION", NaN, false, false, "pressure", "raise", true, null, "", of_drive___slack_pressure, of_drive___pressure_min, null, null, of_drive___tested_min, null]);
+const $cabd6 = $made(Rule, $cc967, ["condition", "friction that was not tested in the condition", "ATTENTION", NaN, false, true, "number", "", false, null, "", null, null, null, null, null, of_data___condition]);
+const $c3f6d = $made(Rule, $cc967, ["fit", "friction that does not fit its tests", "ATTENTION", NaN, false, true, "number", "", false, null, "", null, null, null, null, null, of_data___fit]);
+const $c5a91 = $made(Rule, $cc967, ["tested_slip", "the maximum slip tested", "ATTENTION", NaN, false, true, "length", "raise", true, null, "largest_slip", null, of_arc___slip_max, null, null, of_arc___slip, null]);
+const $c5d85 = $made(Rule, $cc967, ["tested_slip_speed", "the slip speed tested", "ATTENTION", NaN, false, true, "speed", "", false, null, "slip_speed", null, of_arc___tested_speed, null, null, of_arc___speed, null]);
+const $c0d6e = $made(Rule, $cc967, ["balance", "the energy balance", "INTERNAL ERROR", NaN, false, true, "number", "", false, null, "", null, null, null, null, null, of_arc___balance]);
+const $c8634 = $made(Rule, $cc967, ["sag", "the sag of the belt", "ATTENTION", NaN, false, false, "force", "raise", true, null, "", of_drive___slack_end, of_drive___sag_tension, null, null, of_drive___sag, null]);
 const $cedd5 = [$c960d, $cc27f, $c8a85, $cef26, $c2e75, $c8994, $c5c30, $c25bf, $c72eb, $ce298, $cb3d1, $cc16f, $cfecd, $cabd6, $c3f6d, $c5a91, $c5d85, $c0d6e, $c8634];
-const $ca865 = $made(Rule, $cfe5e, ["pulley_diameter", "the least pulley of the belt", "FAILS", NaN, NaN, false, "length", "", true, null, "", of_drive___diameter, of_drive___least_diameter, null, null, of_drive___bends, null]);
+const $ca865 = $made(Rule, $cc967, ["pulley_diameter", "the minimum pulley diameter of the belt", "FAILS", NaN, false, false, "length", "", true, null, "", of_drive___diameter, of_drive___least_diameter, null, null, of_drive___bending, null]);
 const $c35d3 = ["Transition", "GrippingPulley"];
 const $c347b = [1.0, 2.0];
 const $c7675 = [5000.0, 5000000.0];
@@ -9464,12 +9406,13 @@ const $c4916 = ["kg m2", "t m2", "kg cm2"];
 const $c9fdd = ["kN m", "N m", "MN m"];
 const $cf51b = ["s", "min", "ms", "h"];
 const $c5787 = new Map([["length", $cad03], ["force", $c358b], ["force_per_width", $ccdcc], ["pressure", $c0321], ["speed", $ca69a], ["angle", $c0d79], ["power", $c3320], ["mass", $cf2ed], ["mass_per_length", $c172d], ["mass_flow", $c6e75], ["moment_of_inertia", $c4916], ["torque", $c9fdd], ["time", $cf51b]]);
-const $cb829 = new Place("", "", "");
+const $ca493 = new Map([["wrap pressure at the belt rating", "diameter and belt.rating"], ["belt strength over rating", "belt.strength and belt.rating: both per width"], ["belt modulus over rating", "belt.modulus and belt.rating: both per width"], ["belt mass", "belt.mass: per length of belt"], ["tension for sag", "idler_spacing, line_mass and share of [sag]"]]);
+const $cb829 = new Place("", "", "", "", "", null);
 const $cc9d1 = new Map([["shell_profile", 0.015], ["worn_depth", 0.025], ["build_up", 0.03]]);
-const $c1d1c = ["rated power of the motor", "power"];
-const $c8a2c = ["rated speed of the motor", "rotation_speed"];
-const $c29fd = ["speed of the drum over that of the belt", "number"];
-const $c1429 = [$c1d1c, $c8a2c, $c29fd];
+const $c6be2 = ["rated motor power", "power"];
+const $c512d = ["rated motor speed", "rotation_speed"];
+const $ca7d0 = ["pulley speed over belt speed", "number"];
+const $c1429 = [$c6be2, $c512d, $ca7d0];
 const $cf220 = [250.0, 20000000.0];
 const $cb417 = [10.0, 400.0];
 const $c5df7 = [0.95, 1.05];
@@ -9515,21 +9458,19 @@ const $c5622 = [0.0, 1600000.0];
 const $cb0f8 = [250.0, 20000000.0];
 const $cf359 = [1.0, 130.0];
 const $c39c4 = [$ca926, $c3603, $c788a, $cfb28, $cf8a3, $cd717, $c6630, $c7599, $c8e40, $cba68, $c850d, $c99dc, $cdf7a, $cdf7a, $cc043, $cfa622, $c8474, $cbfa0, $ca770, $c5622, $c8474, $c8474, $cb0f8, $cf359];
-const $caee2 = [500.0, 2000000.0];
-const $cde5a4 = ["least tested pressure", "pressure", $caee2];
-const $c6f50 = [10000.0, 10000000.0];
-const $ca5a3f = ["largest tested pressure", "pressure", $c6f50];
-const $c94dcc = [5e-05, 0.3];
-const $ccc4c = ["largest tested slip", "length", $c94dcc];
+const $ccb55 = [500.0, 2000000.0];
+const $c7257 = ["minimum tested pressure", "pressure", $ccb55];
+const $cfba8 = [10000.0, 10000000.0];
+const $c4161 = ["maximum tested pressure", "pressure", $cfba8];
+const $c5b66 = [5e-05, 0.3];
+const $c0b01 = ["maximum tested slip", "length", $c5b66];
 const $c2e73 = [2e-06, 0.3];
 const $cfbf0 = ["tested slip speed", "speed", $c2e73];
-const $cc189 = new Map([["pressure_min", $cde5a4], ["pressure_max", $ca5a3f], ["slip_max", $ccc4c], ["slip_speed", $cfbf0]]);
+const $cc189 = new Map([["pressure_min", $c7257], ["pressure_max", $c4161], ["slip_max", $c0b01], ["slip_speed", $cfbf0]]);
 const $cece7 = [0.03, 1.9];
 const $c5944 = ["force", "mass_per_length"];
-const $cb216 = new Map([["illustrative", "on illustrative data"], ["untested", "on friction without tests"], ["estimated", "on estimated data"], ["calibrated", "on calibrated data"]]);
-const $c2aa0 = [0.0015, 0.006];
-const $c02c1 = [0.003, 0.015];
-const $c1f4f = [$c2aa0, $c02c1];
+const $cb216 = ["illustrative", "untested", "estimated", "calibrated"];
+const $cd058 = new Map([["shear_modulus", "G"], ["compression_modulus", "E_c"]]);
 const $cd36e = new WeakMap();
 const $c63ca = [180.0, 1.2];
 const $c0098 = [200.0, 1.0];
@@ -9609,14 +9550,12 @@ const $c384c = [0.35, 0.35];
 const $c15e3 = $made(Provenance, $c535d, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "ceramic in rubber"]);
 const $c8b09 = $made(DesignFriction, $c9a2a, ["practice", "ceramic", "wet and dirty", $c384c, $c15e3]);
 const $c9375 = [$c88e7, $cd062, $c16b7, $c1654, $c069c, $cd73e, $c8dc3, $c465b, $c4544, $caf0d, $c33d6, $c4015, $c762e, $c2a06, $c4014, $c68bd, $cf0f2, $ca0d7, $cb79a, $c0e8c, $c8b09];
-const $c5af9 = new Set(["cover_creep", "creep", "creep_interval", "design_standard", "gross_slip", "sag", "tested_pressure_min", "tested_slip", "uneven_creep", "wet_creep"]);
-const $c09e2 = new Set(["belt_safety", "belt_tension", "edge_tension", "face_pressure", "momentary_tension", "tested_pressure_max", "uneven_face_pressure", "uneven_pressure"]);
-const $c3879 = new Map([["uneven_creep", "creep"], ["uneven_pressure", "tested_pressure_max"], ["uneven_face_pressure", "face_pressure"], ["uneven_bond_stress", "bond_stress"], ["uneven_fatigue_stress", "fatigue_stress"], ["edge_tension", "belt_tension"]]);
-const $c75f4 = $made(Rule, $cfe5e, ["taut", "a belt that nowhere hangs slack", "ATTENTION", NaN, NaN, false, "number", "", true, null, "", null, null, null, null, null, null]);
-const $c13e8 = $made(Rule, $cfe5e, ["belt_thickness", "a trim without the thickness of the belt", "ATTENTION", NaN, NaN, true, "number", "", false, null, "", null, null, null, null, null, null]);
-const $c9629 = $made(Rule, $cfe5e, ["usual_sizes", "an unusual size", "ATTENTION", NaN, NaN, true, "number", "", false, null, "", null, null, null, null, null, null]);
-const $c376b = $made(Rule, $cfe5e, ["motor_heat", "the heat that a motor bears", "ATTENTION", NaN, NaN, true, "time", "", true, null, "", null, null, null, null, null, null]);
-const $c1dc5 = new Map([["gross_slip", $c84c4], ["design_standard", $c960d], ["creep", $cc27f], ["cover_creep", $c8a85], ["creep_interval", $cef26], ["wet_creep", $c2e75], ["belt_tension", $c8994], ["momentary_tension", $c5c30], ["belt_safety", $c25bf], ["face_pressure", $c72eb], ["bond_stress", $ce298], ["fatigue_stress", $cb3d1], ["tested_pressure_max", $cc16f], ["tested_pressure_min", $cfecd], ["condition", $cabd6], ["fit", $c3f6d], ["tested_slip", $c5a91], ["tested_slip_speed", $c5d85], ["balance", $c0d6e], ["sag", $c8634], ["taut", $c75f4], ["pulley_diameter", $ca865], ["belt_thickness", $c13e8], ["usual_sizes", $c9629], ["motor_load", $c0dbc], ["momentary_load", $c58a5], ["motor_heat", $c376b], ["train_balance", $cb138]]);
+const $c13e8 = $made(Rule, $cc967, ["belt_thickness", "a trim without the thickness of the belt", "ATTENTION", NaN, false, true, "number", "", false, null, "", null, null, null, null, null, null]);
+const $c75f4 = $made(Rule, $cc967, ["taut", "a belt that nowhere hangs slack", "ATTENTION", NaN, false, false, "number", "", true, null, "", null, null, null, null, null, null]);
+const $c9629 = $made(Rule, $cc967, ["usual_sizes", "an implausible input", "ATTENTION", NaN, false, true, "number", "", false, null, "", null, null, null, null, null, null]);
+const $c376b = $made(Rule, $cc967, ["motor_heat", "the heating limit of a motor", "ATTENTION", NaN, false, true, "time", "", true, null, "", null, null, null, null, null, null]);
+const $c1dc5 = new Map([["belt_thickness", $c13e8], ["gross_slip", $c84c4], ["design_standard", $c960d], ["creep", $cc27f], ["cover_creep", $c8a85], ["creep_interval", $cef26], ["wet_creep", $c2e75], ["belt_tension", $c8994], ["momentary_tension", $c5c30], ["belt_safety", $c25bf], ["face_pressure", $c72eb], ["bond_stress", $ce298], ["fatigue_stress", $cb3d1], ["tested_pressure_max", $cc16f], ["tested_pressure_min", $cfecd], ["condition", $cabd6], ["fit", $c3f6d], ["tested_slip", $c5a91], ["tested_slip_speed", $c5d85], ["balance", $c0d6e], ["sag", $c8634], ["taut", $c75f4], ["pulley_diameter", $ca865], ["usual_sizes", $c9629], ["motor_load", $c0dbc], ["momentary_load", $c58a5], ["motor_heat", $c376b], ["train_balance", $cb138]]);
+const $c80d9 = ["Value", "Limit", "Used", "Status"];
 const $c9028 = new Map([["distributed", "distributed"], ["paper", "paper's march"]]);
 const $c450e = new WeakMap();
 const $c3f74 = ["name", "surface", "material", "life_years", "provenance"];
@@ -9674,8 +9613,10 @@ const $cde36 = $made(Provenance, $c535d, ["given", "", "", "belt_mass of [convey
 const $cf273 = ["effective_tension", "torque", "power"];
 const $c3ab3 = ["share", "speeds", "motor"];
 const $c6b61 = new Growth(1.0, 0.0);
-const $c1dc7 = ["data", "belt_mass", "sense"];
-const $c13db = new Map([["NOT CHECKED", 0], ["OK", 1], ["ATTENTION", 2], ["FAILS", 3], ["FAULT OF THE PROGRAM", 4]]);
+const $cfc62 = ["data", "sense"];
+const $c7ecb = new Map([["NOT CHECKED", 0], ["OK", 1], ["ATTENTION", 2], ["FAILS", 3], ["INTERNAL ERROR", 4]]);
+const $c76d1 = new Map([["balance", 0.0], ["train_balance", 0.0], ["across_balance", 0.0], ["gross_slip", 1.0], ["operating_point", 1.0], ["slack_edge", 1.0], ["opposing_drives", 2.0], ["run", 2.0], ["vibration", 2.0], ["belt_tension", 3.0], ["momentary_tension", 3.0], ["belt_safety", 3.0], ["face_pressure", 3.0], ["pulley_diameter", 3.0], ["edge_tension", 3.0], ["static_edge_tension", 3.0], ["static_centre_tension", 3.0], ["transition_length", 3.0], ["uneven_face_pressure", 3.0], ["crown", 3.0], ["sag", 3.0], ["taut", 3.0], ["motor_load", 3.0], ["momentary_load", 3.0], ["motor_heat", 3.0], ["bond_stress", 4.0], ["fatigue_stress", 4.0], ["uneven_bond_stress", 4.0], ["uneven_fatigue_stress", 4.0], ["creep", 5.0], ["uneven_creep", 5.0], ["design_standard", 6.0], ["tested_slip", 7.0], ["tested_slip_speed", 7.0], ["tested_pressure_max", 7.0], ["tested_pressure_min", 7.0], ["uneven_pressure", 7.0], ["creep_interval", 8.0], ["cover_creep", 8.0], ["wet_creep", 9.0], ["condition", 10.0], ["fit", 10.0], ["belt_thickness", 10.0], ["take_up", 10.0], ["meeting", 10.0], ["case_kind", 10.0], ["uneven_wear", 10.0], ["usual_sizes", 11.0], ["profile_extent", 11.0], ["reserve", 12.0]]);
+const $ca735 = ["illustrative", "untested", "estimated", "calibrated"];
 const $ce5b4 = $Decimal.of("0");
 const $c0555 = [""];
 const $c2a6c = ["form", "coefficients", "sign"];
@@ -9701,17 +9642,13 @@ const $cc53c = new Map([["running", $c83ab], ["starting", $c83ab], ["braking", $
 const $c2839 = ["of"];
 const $c813f = ["key", "kind", "required", "example", "attribute"];
 const $c1e36 = ["dimension", "least"];
-const $cb8db = ["word", "kind"];
 const $c0b27 = ["kind"];
 const $c982d = ["text"];
-const $c57b9 = ["name", "what", "missed", "at_most", "dimension", "tension", "binding", "firm", "value", "limit", "words"];
-const $c4a2b = new Map([["steel cord", 1600000.0], ["fabric", 140000.0]]);
+const $c93f2 = ["name", "what", "missed", "is_percent", "at_most", "dimension", "tension", "binding", "firm", "value", "limit", "text"];
+const $c2c2b = new Map([["steel cord", 1600000.0], ["fabric", 140000.0]]);
 const $ca5fa = new Map([["steel cord", 6.666666666666667], ["fabric", 8.0]]);
-const $cdeae = ["name", "what", "missed", "at_most", "dimension", "tension", "binding", "firm", "result", "value", "limit", "words"];
+const $cf41d = ["name", "what", "missed", "is_percent", "at_most", "dimension", "tension", "binding", "firm", "result", "value", "limit", "text"];
 const $c7c4c = ["balance", "train_balance", "across_balance"];
-const $c3c1c = ["cover_creep", "creep_interval", "tested_slip_speed", "wet_creep"];
-const $c5573 = ["gross_slip", "operating_point", "fight"];
-const $cc969 = ["on illustrative data", "on friction without tests", "on estimated data", "on calibrated data"];
 const $ccbad = [false, false];
 const $c3044 = [true, false];
 const $c7703 = [true, true];
@@ -9808,18 +9745,18 @@ Motor.LIMITS = Motor.prototype.LIMITS = $c33f2;
 Check.$compared = Check.$names;
 Pulls.$compared = Pulls.$names;
 Shares.$compared = Shares.$names;
-Words.$compared = Words.$names;
+Amount.$compared = Amount.$names;
+CheckText.$compared = CheckText.$names;
 Speeds.$compared = Speeds.$names;
 Owner.$compared = Owner.$names;
 Sliding.$compared = Sliding.$names;
 VariableSpeed.$compared = VariableSpeed.$names;
 VariableSpeed.LIMITS = VariableSpeed.prototype.LIMITS = $ca384;
 Sizes.$compared = Sizes.$names;
-MassRange.$compared = MassRange.$names;
-Figure.$compared = Figure.$names;
-Asked.$compared = Asked.$names;
-LeastTension.$compared = LeastTension.$names;
 Verdict.$compared = Verdict.$names;
+Figure.$compared = Figure.$names;
+StandardRequirement.$compared = StandardRequirement.$names;
+LeastTension.$compared = LeastTension.$names;
 Row.$compared = Row.$names;
 Table.$compared = Table.$names;
 FrictionLaw.$compared = FrictionLaw.$names;
@@ -9841,7 +9778,7 @@ PressureKnots.$compared = PressureKnots.$names;
 IntegralLog.$compared = IntegralLog.$names;
 IntegralLog.title = IntegralLog.prototype.title = "integral-log law";
 Factors.$compared = Factors.$names;
-Lagging.$compared = ["name", "law", "thickness", "shear_modulus", "compression_modulus", "title", "condition", "surface", "elastic_modulus", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "cost", "fit", "factors", "condition_factors", "provenance", "sources", "notes", "description"];
+Lagging.$compared = ["name", "law", "thickness", "shear_modulus", "compression_modulus", "title", "condition", "surface", "elastic_modulus", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "cost", "fit", "factors", "condition_factors", "provenance", "sources", "scaled_by", "notes", "description"];
 Lagging.LIMITS = Lagging.prototype.LIMITS = $c98ae;
 LoadGiven.$compared = LoadGiven.$names;
 DrumAt.$compared = DrumAt.$names;
@@ -9854,6 +9791,7 @@ RunsGain.$compared = RunsGain.$names;
 BehindTakeUp.$compared = BehindTakeUp.$names;
 Growth.$compared = Growth.$names;
 Description.$compared = Description.$names;
+DataLine.$compared = DataLine.$names;
 CompactLaw.$compared = CompactLaw.$names;
 TakeUp.$compared = TakeUp.$names;
 TakeUp.LIMITS = TakeUp.prototype.LIMITS = $c3530;
@@ -9898,7 +9836,6 @@ Transition.$compared = Transition.$names;
 Transition.LIMITS = Transition.prototype.LIMITS = $c56ea;
 conveyor$State.$compared = conveyor$State.$names;
 Resistance.$compared = Resistance.$names;
-Miss.$compared = Miss.$names;
 ElasticPlastic.$compared = ElasticPlastic.$names;
 ElasticPlastic.title = ElasticPlastic.prototype.title = "elastic-plastic";
 $sig(Profile, ["dimension", "diameters"], false);
