@@ -199,13 +199,13 @@ def test_switch_looks_at_one_of_conditions_side_by_side(
     says(page, "dry")
     turn(page, "wet")
     assert kept(page) == before
-    expect(page.locator("#why")).to_contain_text("load case design, wet")
+    expect(page.locator("#why")).to_contain_text("head, design, wet")
     # one more is solved beside them
     turn(page, "wet and dirty")
     assert kept(page)["condition"] == ["dry", "wet", "wet and dirty"]
     expect(page.locator("#condition")).to_have_value("2")
     long_visit.solved()
-    expect(page.locator("#why")).to_contain_text("load case design, wet and dirty")
+    expect(page.locator("#why")).to_contain_text("head, design, wet and dirty")
     # and the shown one alone
     page.select_option("#condition", "0")
     assert kept(page)["condition"] == "wet and dirty"
