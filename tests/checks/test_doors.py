@@ -29,7 +29,7 @@ from wraparc.web.asked import SolveRequest
 
 pytestmark = pytest.mark.usefixtures("solved_once")
 
-ORDER = ["NOT CHECKED", "OK", "ATTENTION", "FAILS", "FAULT OF THE PROGRAM"]
+ORDER = ["NOT CHECKED", "OK", "ATTENTION", "FAILS", "INTERNAL ERROR"]
 OPENED = range(0, 300, 30)
 
 
@@ -76,7 +76,7 @@ def test_every_door_tells_the_same(number: int, tmp_path: Path) -> None:
 
     rows = sheets(workbook([result]))["Summary"]
     in_excel = {str(row[0]): row[6] for row in rows if len(row) > 6 and row[6] in ORDER}
-    assert in_excel == listed
+    assert in_excel == judged
 
     path = tmp_path / "drive.toml"
     path.write_text(drive_text(result.drive), "utf-8")
