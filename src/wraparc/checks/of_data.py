@@ -107,8 +107,11 @@ def data(drive: Drive, pulley: Pulley) -> Check:
     )
 
 
-#: Symbols of inputs, in the place of their keys.
-SYMBOLS = {"shear_modulus": "G", "compression_modulus": "E_c"}
+#: Symbols and words of inputs, in the place of their keys.
+SYMBOLS = {
+    "shear_modulus": "G", "compression_modulus": "E_c",
+    "in_plane_shear_stiffness": "in-plane shear stiffness",
+}  # fmt: skip
 
 
 def key_word(key: str) -> str:
