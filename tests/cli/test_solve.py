@@ -167,7 +167,7 @@ def test_json_tells_versions_sources_and_remarks(drive: Path) -> None:
     from wraparc import __version__
 
     data = wraparc("solve", drive, "--json", "-").json
-    assert data["format"] == 2
+    assert data["format"] == 3
     assert data["program"] == {"name": "wraparc", "version": __version__}
     assert data["libraries"]["numpy"] == np.__version__
     assert data["remarks"] == [

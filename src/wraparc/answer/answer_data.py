@@ -15,7 +15,7 @@ from wraparc.units import DIMENSION_TEXT, RESULT_DIGITS, Cell, cell_of, in_units
 from wraparc.units.cell import RANGES
 
 #: Counts up when a key goes or changes its meaning, not when one is added.
-ANSWER_FORMAT = 3
+ANSWER_FORMAT = 4
 
 Data = dict[str, Any]
 #: A text without numbers, or one with them: see `text_data`.

@@ -376,7 +376,7 @@ def choose_document(selection: Selection, lighter: LighterBelt | None = None) ->
     """Return the ranking and the rejections as plain data [SI] for JSON; at most 10,000 designs."""
     some = range(min(len(selection), 10_000))
     return {
-        "format": 2,
+        "format": 3,
         "title": selection.search.title,
         "currency": selection.search.costing.currency,
         "years": selection.search.costing.years,

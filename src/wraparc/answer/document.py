@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from wraparc.train.whole import Whole
 
 #: Counts up when a name goes or changes its meaning, not when one is added.
-DOCUMENT_FORMAT = 2
+DOCUMENT_FORMAT = 3
 
 _PYTHON = ".".join(map(str, sys.version_info[:3]))
 

@@ -233,7 +233,7 @@ def _pairs(differences: Mapping[str, tuple[float, float]]) -> dict[str, dict[str
 
 def field_document(found: FieldNumbers | None, judged: Judgement) -> dict[str, Any]:
     """Return verdict and numbers as plain data [SI] for JSON."""
-    told = {"format": 2, "verdict": verdict_document(judged)}
+    told = {"format": 3, "verdict": verdict_document(judged)}
     if found is None:
         return told
     return {
