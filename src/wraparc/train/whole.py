@@ -5,7 +5,6 @@ from __future__ import annotations
 from wraparc.arc import Distributed, DriveResult, Method, solve
 from wraparc.drive import Drive
 from wraparc.train.result import TrainResult
-from wraparc.train.solve import solve_train
 from wraparc.train.train import Train
 
 #: What a drive file describes, and the same solved.
@@ -20,6 +19,8 @@ def solved(described: Described, method: Method | None = None) -> Whole:
     """
     if isinstance(described, Drive) and len(described.pulleys) == 1:
         return solve(described, method=method or Distributed(), raise_on_failure=False)
+    from wraparc.train.solve import solve_train  # a pulley alone starts without it
+
     train = Train.of(described) if isinstance(described, Drive) else described
     return solve_train(train, raise_on_failure=False)
 
