@@ -3440,41 +3440,65 @@ report.add(place, "missing, and the lagging is not rigid", remedy);
 return $map([]);
 }
 (stated = $map([...(function* () { for (const key of $iter($c9095)) { if (!(($in(key, record)))) continue; yield [key, $at(record, key)]; } })()]));
-return ($truth(known) ? $merged(lagging_build___estimated(record, sources, provenance, report), stated) : stated);
+return ($truth(known) ? $merged(stated, lagging_build___estimated(record, sources, provenance, report)) : stated);
 }
 function lagging_build___estimated(record, sources, provenance, report) {
-let basis, block, height, least, message, moduli, remedy, shape, text, young;
+let basis, block, contact, height, least, message, moduli, of, remedy, shape, text, young;
 
-function note(part, basis, text) {
-let of;
-(of = $m.get(sources, basis, provenance));
-$m.setdefault(sources, part, new Provenance($bound(of, "kind"), $bound(of, "source"), $bound(of, "date"), ("" + "estimated: " + $str(text))));
-}
-$sig(note, ["part", "basis", "text"], false);
-(moduli = $map([]));
-if ((!$in("shear_modulus", record))) {
-$put(moduli, "shear_modulus", ($at(record, "elastic_modulus") / 3.0));
-note("shear_modulus", "elastic_modulus", "G = E/3, incompressible rubber");
-}
-if ((!$in("compression_modulus", record))) {
-(basis = (($in("elastic_modulus", record)) ? "elastic_modulus" : "shear_modulus"));
-(young = $mul($at(record, basis), (($eq(basis, "elastic_modulus")) ? 1.0 : 3.0)));
-(shape = $m.get(record, "block", $map([])));
-(height = (($in("height", shape)) ? $map([]) : $map([["height", $at(record, "thickness")]])));
 (least = $at($cd06c, "height").least);
-if (($truth(height) && $truth(shape) && ($at(record, "thickness") < least))) {
+(shape = $m.get(record, "block", $m.get(record, "replaced_block", $map([]))));
+(height = (($in("height", shape)) ? $map([]) : $map([["height", $at(record, "thickness")]])));
+if ((($in("block", record)) && $truth(height) && ($at(record, "thickness") < least))) {
 (message = ("" + "must be at least " + $str(display__display(least, "length")) + ", the height of its blocks"));
 (remedy = "Give the thickness, or a lagging without blocks.");
 report.add([...$iter(record.place), "thickness"], message, remedy, $m.get(record.raw, "thickness"));
 return $map([]);
 }
+(height = $map([...(function* () { for (const [key, value] of $iter($m.items(height))) { yield [key, $b.max(value, least)]; } })()]));
 (block = $method($c52db, "built", [shape, report], [...height]));
+(moduli = $map([[(($in("block", record)) ? "block" : "replaced_block"), block]]));
+(contact = ((block == null) ? 1.0 : block.contact_fraction));
+(moduli = $merged(moduli, lagging_build___shear_modulus(record, contact, sources, provenance)));
+if ((!$in("compression_modulus", record))) {
+(basis = (($in("elastic_modulus", record)) ? "elastic_modulus" : "shear_modulus"));
+(young = $mul($at(record, basis), (($eq(basis, "elastic_modulus")) ? 1.0 : 3.0)));
 $put(moduli, "compression_modulus", ($truth(block) ? compression__compression_modulus(young, block) : young));
-$put(moduli, "block", block);
 (text = lagging_build___compression_note(block, (($eq(basis, "elastic_modulus")) ? "E" : "3 G")));
-note("compression_modulus", (($in("block", sources)) ? "block" : basis), text);
+(of = $m.get(sources, (($in("block", sources)) ? "block" : basis), provenance));
+$m.setdefault(sources, "compression_modulus", $replaced(of, new Map([["note", ("" + "estimated: " + $str(text))]])));
 }
 return moduli;
+}
+function lagging_build___shear_modulus(record, contact, sources, provenance) {
+let note, of, own, text;
+
+if ((!$in("shear_modulus", record))) {
+(text = "G = E/3, incompressible rubber");
+if ((contact < 1.0)) {
+(text = $add(text, lagging_build__of_blocks(contact)));
+}
+(of = $m.get(sources, "elastic_modulus", provenance));
+$m.setdefault(sources, "shear_modulus", $replaced(of, new Map([["note", ("" + "estimated: " + $str(text))]])));
+return $map([["shear_modulus", $mul(contact, ($at(record, "elastic_modulus") / 3.0))]]);
+}
+if (($eq(contact, 1.0))) {
+return $map([]);
+}
+(own = $m.get(sources, "shear_modulus"));
+(note = lagging_build__shear_note(contact));
+if (((own != null) && $truth(own.note))) {
+(note = $add(note, ("" + "; " + $str(own.note))));
+}
+$put(sources, "shear_modulus", $replaced($or(own, () => provenance), new Map([["note", note]])));
+return $map([["shear_modulus", $mul(contact, $at(record, "shear_modulus"))]]);
+}
+function lagging_build__of_blocks(contact) {
+
+return ("" + ", over the gross area times the contact fraction " + $format(contact, ("" + "g")));
+}
+function lagging_build__shear_note(contact) {
+
+return ("" + "estimated: G of the rubber" + $str(lagging_build__of_blocks(contact)));
 }
 function compression__compression_modulus(elastic_modulus, block) {
 let modulus, square;
@@ -4190,6 +4214,19 @@ let pairs, runs;
 (pairs = [...(function* () { for (const p of $iter(drive.pulleys)) { yield $at(case_.tensions, p.name); } })()]);
 (runs = $b.tuple((function* () { for (const [a, b] of $iter($b.pairwise(pairs))) { yield $sub(b.entry, a.exit); } })()));
 return new TrainCase(case_.name, $at(pairs, 0).entry, $at(pairs, $neg(1)).exit, new Pulls($b.tuple((function* () { for (const pair of $iter(pairs)) { yield pair.effective; } })())), ($truth($b.any(runs)) ? runs : []), case_.kind, case_.condition, case_.description);
+}
+function wrap_arc___speed_at(drive, case_, tension) {
+let first;
+
+if ((drive.belt.speed == null)) {
+return null;
+}
+(first = $at(case_.tensions, $at(drive.pulleys, 0).name).entry);
+return $mul(drive.belt.speed, pitch__strain_ratio(tension, first, $bound(drive.belt, "axial_stiffness")));
+}
+function pitch__strain_ratio(tension, reference, stiffness) {
+
+return ($add(1.0, (tension / stiffness)) / $add(1.0, (reference / stiffness)));
 }
 function pull__growth_in(drive, case_, pulley) {
 let index, names, pulls, take_up;
@@ -5170,7 +5207,7 @@ return null;
 }
 }
 _merged(given, name) {
-const self = this; let base, group, key, owner, values;
+const self = this; let base, blocks, group, key, owner, values;
 
 (base = null);
 if (($in("preset", given))) {
@@ -5191,6 +5228,10 @@ $m.pop(values, key, null);
 (values = $map([["name", $or(name, () => owner)], ...values, ...given]));
 if ((base != null)) {
 (values = $merged(values, drive_build___merged_origins(base, given)));
+(blocks = $m.get(base, "block", $m.get(base, "replaced_block")));
+if ((($in("compression_modulus", given)) && (blocks != null))) {
+$put(values, "replaced_block", blocks);
+}
 }
 return new Record(values, $bound(given, "place"), $bound(given, "raw"), $bound(given, "faulty"));
 }
@@ -5919,7 +5960,7 @@ static of(drive, pulley, case_) {
 const cls = this; let lagging, tensions;
 
 ([lagging, tensions] = [pulley.lagging_in($bound(case_, "condition")), $at(case_.tensions, pulley.name)]);
-return $method(cls, "on", [$bound(drive, "belt"), pulley, lagging], [["entry_tension", tensions.entry], ["exit_tension", tensions.exit], ["creep_limit", drive.creep_limit_of(pulley)], ["belt_speed", drive.belt.speed], ["fit", lagging.fit], ["growth", pull__growth_in(drive, case_, pulley)], ["load_case", case_.name]]);
+return $method(cls, "on", [$bound(drive, "belt"), pulley, lagging], [["entry_tension", tensions.entry], ["exit_tension", tensions.exit], ["creep_limit", drive.creep_limit_of(pulley)], ["belt_speed", wrap_arc___speed_at(drive, case_, $bound(tensions, "entry"))], ["fit", lagging.fit], ["growth", pull__growth_in(drive, case_, pulley)], ["load_case", case_.name]]);
 }
 static on(belt, pulley, lagging, more = new Map()) {
 const cls = this; 
@@ -6905,6 +6946,12 @@ $m.append(problems, new Problem(message, undefined, undefined, "surface", $shown
 }
 limits__raise_all(problems);
 }
+get contact_fraction() {
+const self = this; let block;
+
+(block = $or(self.block, () => self.replaced_block));
+return ((block == null) ? 1.0 : block.contact_fraction);
+}
 get shear_compliance() {
 const self = this; 
 if (($in("lagging shear", $or(self.law.slip_includes, () => [])))) {
@@ -6917,7 +6964,7 @@ const self = this;
 return $m.get(self.sources, part, $bound(self, "provenance"));
 }
 }
-$sig(Lagging, ["name", "law", "thickness", "shear_modulus", "compression_modulus", "title", "condition", "surface", "elastic_modulus", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "cost", "fit", "factors", "condition_factors", "block", "provenance", "sources", "notes", "description"], false, {thickness: () => 0.0, shear_modulus: () => Infinity, compression_modulus: () => Infinity, title: () => "", condition: () => "dry", surface: () => "", elastic_modulus: () => null, wear_coefficient: () => null, belt_energy_share: () => null, bond_strength: () => null, fatigue_limit: () => null, cost: () => null, fit: () => null, factors: () => null, condition_factors: () => new Map(), block: () => null, provenance: () => new Provenance(), sources: () => new Map(), notes: () => [], description: () => ""});
+$sig(Lagging, ["name", "law", "thickness", "shear_modulus", "compression_modulus", "title", "condition", "surface", "elastic_modulus", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "cost", "fit", "factors", "condition_factors", "block", "replaced_block", "provenance", "sources", "notes", "description"], false, {thickness: () => 0.0, shear_modulus: () => Infinity, compression_modulus: () => Infinity, title: () => "", condition: () => "dry", surface: () => "", elastic_modulus: () => null, wear_coefficient: () => null, belt_energy_share: () => null, bond_strength: () => null, fatigue_limit: () => null, cost: () => null, fit: () => null, factors: () => null, condition_factors: () => new Map(), block: () => null, replaced_block: () => null, provenance: () => new Provenance(), sources: () => new Map(), notes: () => [], description: () => ""});
 class LoadGiven extends $Tuple {
 }
 $sig(LoadGiven, ["entry_tension", "exit_tension", "effective_tension", "torque", "power"], false, {entry_tension: () => null, exit_tension: () => null, effective_tension: () => null, torque: () => null, power: () => null});
@@ -9612,11 +9659,11 @@ const $c9375 = [$c88e7, $cd062, $c16b7, $c1654, $c069c, $cd73e, $c8dc3, $c465b, 
 const $c5af9 = new Set(["cover_creep", "creep", "creep_interval", "design_standard", "gross_slip", "sag", "tested_pressure_min", "tested_slip", "uneven_creep", "wet_creep"]);
 const $c09e2 = new Set(["belt_safety", "belt_tension", "edge_tension", "face_pressure", "momentary_tension", "tested_pressure_max", "uneven_face_pressure", "uneven_pressure"]);
 const $c3879 = new Map([["uneven_creep", "creep"], ["uneven_pressure", "tested_pressure_max"], ["uneven_face_pressure", "face_pressure"], ["uneven_bond_stress", "bond_stress"], ["uneven_fatigue_stress", "fatigue_stress"], ["edge_tension", "belt_tension"]]);
-const $c75f4 = $made(Rule, $cfe5e, ["taut", "a belt that nowhere hangs slack", "ATTENTION", NaN, NaN, false, "number", "", true, null, "", null, null, null, null, null, null]);
 const $c13e8 = $made(Rule, $cfe5e, ["belt_thickness", "a trim without the thickness of the belt", "ATTENTION", NaN, NaN, true, "number", "", false, null, "", null, null, null, null, null, null]);
+const $c75f4 = $made(Rule, $cfe5e, ["taut", "a belt that nowhere hangs slack", "ATTENTION", NaN, NaN, false, "number", "", true, null, "", null, null, null, null, null, null]);
 const $c9629 = $made(Rule, $cfe5e, ["usual_sizes", "an unusual size", "ATTENTION", NaN, NaN, true, "number", "", false, null, "", null, null, null, null, null, null]);
 const $c376b = $made(Rule, $cfe5e, ["motor_heat", "the heat that a motor bears", "ATTENTION", NaN, NaN, true, "time", "", true, null, "", null, null, null, null, null, null]);
-const $c1dc5 = new Map([["gross_slip", $c84c4], ["design_standard", $c960d], ["creep", $cc27f], ["cover_creep", $c8a85], ["creep_interval", $cef26], ["wet_creep", $c2e75], ["belt_tension", $c8994], ["momentary_tension", $c5c30], ["belt_safety", $c25bf], ["face_pressure", $c72eb], ["bond_stress", $ce298], ["fatigue_stress", $cb3d1], ["tested_pressure_max", $cc16f], ["tested_pressure_min", $cfecd], ["condition", $cabd6], ["fit", $c3f6d], ["tested_slip", $c5a91], ["tested_slip_speed", $c5d85], ["balance", $c0d6e], ["sag", $c8634], ["taut", $c75f4], ["pulley_diameter", $ca865], ["belt_thickness", $c13e8], ["usual_sizes", $c9629], ["motor_load", $c0dbc], ["momentary_load", $c58a5], ["motor_heat", $c376b], ["train_balance", $cb138]]);
+const $c1dc5 = new Map([["belt_thickness", $c13e8], ["gross_slip", $c84c4], ["design_standard", $c960d], ["creep", $cc27f], ["cover_creep", $c8a85], ["creep_interval", $cef26], ["wet_creep", $c2e75], ["belt_tension", $c8994], ["momentary_tension", $c5c30], ["belt_safety", $c25bf], ["face_pressure", $c72eb], ["bond_stress", $ce298], ["fatigue_stress", $cb3d1], ["tested_pressure_max", $cc16f], ["tested_pressure_min", $cfecd], ["condition", $cabd6], ["fit", $c3f6d], ["tested_slip", $c5a91], ["tested_slip_speed", $c5d85], ["balance", $c0d6e], ["sag", $c8634], ["taut", $c75f4], ["pulley_diameter", $ca865], ["usual_sizes", $c9629], ["motor_load", $c0dbc], ["momentary_load", $c58a5], ["motor_heat", $c376b], ["train_balance", $cb138]]);
 const $c9028 = new Map([["distributed", "distributed"], ["paper", "paper's march"]]);
 const $c450e = new WeakMap();
 const $c3f74 = ["name", "surface", "material", "life_years", "provenance"];
@@ -9666,7 +9713,7 @@ const $c9aeb = $made(Entry, $cc442, ["fatigue_limit", $cdb8f1, false, "", "", "f
 const $cc3b8 = [$cb73a, $cb374, $cd66f, $cc3a1, $c5462, $c98a2, $c6b4d, $ce5e5, $c8c8d, $c29e5, $cb25b, $c9e46, $c3531, $c9aeb, $c03097, $c2480, $c2fb3, $c7315, $c8818, $c69c3, $c9b00, $c0a9d];
 const $cec4e = new Map([["format", $cb73a], ["name", $cb374], ["title", $cd66f], ["description", $cc3a1], ["surface", $c5462], ["thickness", $c98a2], ["elastic_modulus", $c6b4d], ["shear_modulus", $ce5e5], ["compression_modulus", $c8c8d], ["block", $c29e5], ["wear_coefficient", $cb25b], ["belt_energy_share", $c9e46], ["bond_strength", $c3531], ["fatigue_limit", $c9aeb], ["cost", $c03097], ["slip_speed", $c2480], ["temperature", $c2fb3], ["condition_factor", $c7315], ["law", $c8818], ["provenance", $c69c3], ["sources", $c9b00], ["notes", $c0a9d]]);
 const $c904b = $made(tables$Table, $cc03e, [Lagging, $cc3b8, $cec4e]);
-const $cb919 = ["compression_modulus", "block"];
+const $cb919 = ["compression_modulus", "block", "replaced_block"];
 const $c3e4a = [$cb919];
 const $c31a8 = new Set(["belt_energy_share", "block", "bond_strength", "compression_modulus", "condition_factor", "cost", "elastic_modulus", "fatigue_limit", "law", "shear_modulus", "slip_speed", "temperature", "thickness", "wear_coefficient"]);
 const $ca1a4 = new RunsGain(0.0, 0.0);
