@@ -133,7 +133,7 @@ def test_page_finds_the_advice_itself_while_a_slider_moves(visitor: Visitor) -> 
     page = visitor.open("drive")
     visitor.solved()
     first = page.locator("#verdict .advice")
-    expect(first).to_have_text("Use lagging full-ceramic and wrap 212 deg.")
+    expect(first).to_have_text("Use lagging full-ceramic and wrap 223 deg.")
     visitor.alone()
     held: list[Route] = []
     page.route("**/api/v1/solve**", lambda route: held.append(route))  # noqa: PLW0108

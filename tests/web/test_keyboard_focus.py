@@ -33,7 +33,7 @@ def at(page: Page) -> str:
 
 #: Buttons that are gone, or of no use, once pressed: page, button, where the focus is then.
 GONE = (
-    ("drive", "Use lagging full-ceramic and wrap 212 deg.", "verdict"),
+    ("drive", "Use lagging full-ceramic and wrap 223 deg.", "verdict"),
     ("drive", "Pin this design", "Along the wrap"),
     ("train", "Find the trim limits", "train-verdict"),
     ("saved", "Open Head drive, ROM conveyor", "drive-title"),

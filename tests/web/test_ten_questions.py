@@ -106,7 +106,7 @@ def wrap_take_up_or_ceramic(hand: Hand) -> None:
     expect(seek.get_by_role("button", name=f"Use {wrap}")).to_be_visible()
     # and what to do stands on the button beside the verdict
     expect(hand.page.locator("#verdict .advice")).to_have_text(
-        "Use lagging full-ceramic and wrap 212 deg."
+        "Use lagging full-ceramic and wrap 223 deg."
     )
 
 
