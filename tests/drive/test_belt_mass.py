@@ -27,6 +27,7 @@ from wraparc.study.file import load_study
 from wraparc.study.source import DriveSource
 from wraparc.train import Train, solve_train
 from wraparc.train.batch import solve_train_batch
+from wraparc.units import in_units
 from wraparc.web.answers.prepared import prepared
 
 FAST = """
@@ -99,7 +100,7 @@ def test_either_table_gives_the_mass_to_both(both: tuple[Drive, Drive]) -> None:
         assert drive.conveyor is not None
         assert drive.conveyor.belt_mass == 46.0
     told = [judge(solve(drive)) for drive in both]
-    assert told[0].lead == told[1].lead
+    assert told[0].text == told[1].text
     for one, other in zip(*(solve(drive) for drive in both), strict=True):
         assert one.arc.centrifugal == pytest.approx(46.0 * 49.0)
         same(one.scalars(), other.scalars())
@@ -287,7 +288,7 @@ def remarks(*swaps: tuple[str, str]) -> list[str]:
     for old, new in swaps:
         assert old in given
         given = given.replace(old, new)
-    return [r for r in judge(solve(drive_from_text(given))).data if "mass" in r]
+    return [in_units(r) for r in judge(solve(drive_from_text(given))).remarks if "mass" in r]
 
 
 def test_an_unknown_mass_that_may_matter_is_told_with_its_size_and_changes_nothing() -> None:
@@ -301,13 +302,16 @@ def test_an_unknown_mass_that_may_matter_is_told_with_its_size_and_changes_nothi
     assert result.arcs[0].arc.centrifugal == 0.0
     (check,) = (c for c in judge(result).checks if c.name == "belt_mass")
     most = 1.2 * (12.6 + 1.15 * 21.0) * 49.0
-    assert check.more["most"][0] == pytest.approx(most)
-    assert check.more["share"][0] == pytest.approx(100.0 * most / 70e3)
+    assert check.more["most"].value == pytest.approx(most)
+    assert check.more["share"].value == pytest.approx(100.0 * most / 70e3)
     assert check not in judge(result).missed
     assert not check.compares
     (told,) = remarks()
-    assert "(estimated), up to" in told
+    assert "(estimated) is left out, up to" in told
     assert told.endswith("of T2 (head, design).")
+    assert check.text == "Belt m v2 not checked: belt.mass missing."
+    assert check in judge(result).not_checked
+    assert "belt m v2 (belt.mass)" in str(result), "the first screen names it"
 
 
 def test_it_is_not_told_where_it_is_known_or_small() -> None:

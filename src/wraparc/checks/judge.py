@@ -63,6 +63,7 @@ def before(described: Drive | Train) -> Verdict:
     cases = () if isinstance(described, Drive) else described.cases
     divided = {case.name for case in cases if not case.pulls_given}
     checks: list[Check] = [of_data.data(drive, p) for p in drive.pulleys]
+    checks += of_data.belt_mass(drive)
     checks += usual_sizes(drive, *(owners_of(described) if isinstance(described, Train) else ()))
     checks += of_drive.take_up(drive)
     checks += diameters(drive)
@@ -98,6 +99,7 @@ def _drive(result: DriveResult, *others: Owner) -> Iterator[Check]:
     yield from usual_sizes(drive, *others)
     for pulley in drive.pulleys:
         yield of_data.data(drive, pulley)
+    yield from of_data.belt_mass(drive)
 
 
 def _across(result: DriveResult) -> Iterator[Check]:

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from wraparc.checks.check import Check, Level, Place, escaped
+from wraparc.checks.check import Amount, Check, Level, Place, escaped
 from wraparc.checks.rule import Rule, Spot, origin
 from wraparc.drive import Drive, Lagging, Pulley
+from wraparc.drive.belt_mass import usual_mass
 from wraparc.drive.changes import WORN
 from wraparc.drive.conditions import SCALED
-from wraparc.drive.pitch import covered
+from wraparc.drive.pitch import centrifugal_force, covered
 from wraparc.provenance import Kind, Provenance
 
 
@@ -117,6 +118,47 @@ SYMBOLS = {
 def key_word(key: str) -> str:
     """Return how an input is called in the line on the data."""
     return SYMBOLS.get(key, key.replace("_", " "))
+
+
+#: Part of the slack-side tension from which an unknown m v^2 is told [-].
+LEAST_FLUNG = 0.02
+
+
+def belt_mass(drive: Drive) -> Iterator[Check]:
+    """Yield how large m v^2 of a belt is whose mass is not known, by the usual mass of its kind.
+
+    Where it may be more than 2 % of the slack-side tension; nothing is computed with it.
+    """
+    belt = drive.belt
+    if belt.mass is not None or belt.speed is None:
+        return
+    tensions = [
+        (min(of.entry, of.exit), name, case.name)
+        for case in drive.load_cases
+        for name, of in case.tensions.items()
+    ]
+    slack, pulley, case = min(tensions, key=lambda of: of[0])
+    least, most = (centrifugal_force(mass, belt.speed) for mass in usual_mass(belt))
+    if most <= LEAST_FLUNG * slack:
+        return
+    place = Place(pulley, case)
+    yield Check(
+        name="belt_mass",
+        title="Belt m v2",
+        noun="belt m v2",
+        level=Level.NOT_CHECKED,
+        place=place,
+        source="carcasses of the catalogue and usual covers",
+        missing="belt.mass",
+        full="Belt mass missing: m v2 {least} to {most} (estimated) is left out, up to {share} % "
+        f"of T2{escaped(place.bracket)}.",
+        more={
+            "least": Amount(least, "force"),
+            "most": Amount(most, "force"),
+            "share": Amount(100.0 * most / slack, "number"),
+        },
+        binding=False,
+    )
 
 
 def law_words(lagging: Lagging) -> tuple[list[str], list[str]]:

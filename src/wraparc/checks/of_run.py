@@ -136,6 +136,7 @@ def _checks(run: RunResult) -> Iterator[Check]:
     if not any(check.missed and "inertia" in check.noun for check in sizes):
         yield from _drums_over_conveyor(run)
     yield from (of_data.data(drive, pulley) for pulley in drive.pulleys)
+    yield from of_data.belt_mass(drive)
     if not drive.criteria.covered and of_wet.is_dry_only(drive, case):
         yield not_checked(
             of_wet.WET_CREEP.name, of_wet.TITLE, of_wet.NOUN, at, why="the event was solved dry"

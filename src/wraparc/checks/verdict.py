@@ -160,8 +160,8 @@ class Verdict:
 
     @property
     def remarks(self) -> tuple[str, ...]:
-        """What the data are, a sentence for each pulley that differs."""
-        texts = (c.full_text for c in self.checks if c.name == "data" and c.full)
+        """What the data are, a sentence for each pulley that differs, and what is left out."""
+        texts = (c.full_text for c in self.checks if c.name in ("data", "belt_mass") and c.full)
         return tuple(dict.fromkeys(texts))
 
     @property
