@@ -52,7 +52,9 @@ SHEETS: dict[str, Callable[[], Sheet]] = {
 def told(sheet: Sheet) -> Iterator[str]:
     """Yield the texts of tables and verdict."""
     if sheet.verdict is not None:
-        yield from (sheet.verdict.text, sheet.verdict.action, *sheet.verdict.sentences)
+        yield from (sheet.verdict.text, *sheet.verdict.sentences)
+        yield from (text for _, text in sheet.verdict.lines)  # action, also, wet, reserve, data
+        yield from (way.text for way in (sheet.verdict.action.ways if sheet.verdict.action else ()))
     for table in sheet.tables:
         yield from table.heads
         for row in table.rows:

@@ -44,9 +44,10 @@ def checked(text: str) -> Checker:
 def test_a_result_shows_itself_with_its_verdict_and_sources() -> None:
     page = checked(solved()._repr_html_())
     text = " ".join(page.text)
-    assert "ATTENTION. Pulley head, load case full: Creeps 7." in text
-    assert "Action: Raise the slack-side tension" in text
-    assert "The friction of diamond-rubber is illustrative" in text
+    assert "ATTENTION Creep 7.49 mm exceeds the 6.35 mm limit (head, full)." in text
+    assert "Action Use lagging full-ceramic: creep 4.36 mm." in text
+    assert "Data Friction, block, E_c illustrative; G estimated." in text
+    assert "The friction of diamond-rubber is illustrative" in solved().full().replace("\n", " ")
     assert "CEMA, Belt Conveyors for Bulk Materials" not in text
     assert "CEMA, Belt Conveyors for Bulk Materials" in solved().full()
     assert {"table", "caption", "th"} <= page.tags

@@ -26,7 +26,7 @@ from cli.running import wraparc
 from wraparc import Distributed, TrainResult, load_drive, load_train, shear_test, solve, solve_train
 from wraparc.across import AcrossSolver
 from wraparc.answer.arc_tables import answer_table
-from wraparc.answer.checks_table import check_data, check_table, margin_text
+from wraparc.answer.checks_table import check_data, check_table, used_text
 from wraparc.answer.document import json_text
 from wraparc.answer.drive_sheet import drive_sheet
 from wraparc.answer.sheet import Sheet, percent, shown
@@ -115,13 +115,13 @@ def test_an_idle_pulley_has_no_spring_rate() -> None:
 def test_what_is_below_its_accuracy_is_told_so() -> None:
     """Expected: by hand, the limit of a check of the solution is the accuracy of its value."""
     kept = Check(name="balance", title="Balance", level=Level.OK, value=2e-16, limit=1e-4)
-    assert told_in(kept.texts(), "si") == ("below 0.0001", "0.0001")
-    assert kept.sentence() == "Balance: below 0.0001, at most 0.0001."
-    assert (kept.margin, told_in(margin_text(kept), "si")) == (1.0, "-")
+    assert told_in(kept.texts(), "si") == ("< 1e-4", "1e-4")
+    assert told_in(kept.text, "si") == "Balance: < 1e-4 of 1e-4."
+    assert (kept.margin, told_in(used_text(kept), "si")) == (1.0, "-")
     data = check_data(kept)
     assert (data["value"], data["floor"]) == (2e-16, 1e-4)
-    missed = replace(kept, level=Level.FAULT, value=3e-4, says="Misses by {value}.")
-    assert missed.sentence() == "Misses by 0.0003."
+    missed = replace(kept, level=Level.FAULT, value=3e-4, headline="Misses by {value}")
+    assert told_in(missed.text, "si") == "Misses by 0.0003."
     assert missed.margin == pytest.approx(-2.0)
     creep = replace(kept, name="creep", value=2e-3, limit=6.35e-3, dimension="length")
     assert (told_in(creep.texts(), "si")[0], creep.floor) == ("2 mm", 0.0)
@@ -133,8 +133,8 @@ def test_the_place_of_a_check_of_the_solution_is_not_that_of_the_largest_noise()
               for r in (result, moved(result, np.random.default_rng(1)))}  # fmt: skip
     assert len(places) == 1
     rows = told_in(check_table(judge(result)), "si").rows
-    assert all(row.values[0].startswith("below") for row in rows
-               if "balance" in row.title)  # fmt: skip
+    values = {row.name: row.values[0] for row in rows if "balance" in row.name}
+    assert values == {"train_balance": "< 1e-5", "balance": "< 1e-4"}
 
 
 def test_nothing_is_minus_nothing() -> None:
@@ -182,7 +182,7 @@ def test_a_term_of_which_no_digit_shows_has_no_sign() -> None:
 
 def test_alike_margins_govern_in_their_order_however_large() -> None:
     """Expected: by hand; equal to rounding is equal, and what cannot be rounded is itself."""
-    place = partial(order_of, missed=False, binding=True, advises=False, leads=False)
+    place = partial(order_of, missed=False, kind=0.0)
     assert place(0.3) == place(0.3 + 3e-16)
     assert place(0.3) < place(0.3 + 3e-9)
     assert [place(m) for m in (-1e305, 1e305, math.inf)] == [-1e305, 1e305, math.inf]

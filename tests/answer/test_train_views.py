@@ -29,9 +29,11 @@ def tandem() -> TrainResult:
 
 def test_it_shows_its_drives() -> None:
     text = " ".join(checked(tandem()._repr_html_()).text)
-    assert "OK, on illustrative data. All 12 checks are kept" in text
-    assert "Load case design: first carries 50 %, second carries 50 %." in text
+    assert "OK All 12 checks pass. Closest: wet creep (estimated) " in text
+    assert " of 6.35 mm (second, design). Wet Creep " in text
+    assert "Data Friction, block, E_c illustrative; G estimated." in text
     full = tandem().full()
+    assert "Load case design: first carries 50 %, second carries 50 %." in full
     for words in ("Drives: load case design", "Drives: load case empty", "Speed by extra"):
         assert words in full
 
