@@ -40,7 +40,8 @@ def of_json(data: Data) -> Data:
     made = {"level": data["level"], "text": data["headline"]}
     if (worst := data["governing"]) is not None:
         made |= {key: worst[key] for key in ("name", "pulley", "load_case")}
-        made |= {key: number(worst[key]) for key in ("value", "limit")}
+        # JSON has no word for what has no bound
+        made |= {key: worst[key] for key in ("value", "limit") if worst[key] is not None}
     return made
 
 
