@@ -101,7 +101,7 @@ OPEN = {
 }
 STUDY = """format = 1
 drive = "tandem.toml"
-pulley = "first"
+pulley = "second"
 [sampling]
 samples = 8
 seed = 1
@@ -118,7 +118,7 @@ standard_deviation = "900 kN/m"
 def test_no_ok_where_a_trim_is_open_without_the_thickness(
     name: str, drum: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Drums of two diameters, or on opposite sides: the study of either drum asks too."""
+    """Drums of two diameters, or on opposite sides: the study of the trimmed drum asks too."""
     monkeypatch.chdir(tmp_path)
     text = example("tandem-fabric").read_text("utf-8")
     own = 'name = "own"\nkind = "fabric"\nmodulus = "12960 kN/m"\nrating = "175 kN/m"'

@@ -344,7 +344,7 @@ def test_train_shares_and_trims(visitor: Visitor) -> None:
     visitor.example("Tandem head drive, fabric belt")
     visitor.open("train")
     page.wait_for_selector("#train svg.chain")
-    assert "second must turn 0.345 % slower" in page.inner_text("#train .verdict")
+    assert "second must turn 0.346 % slower" in page.inner_text("#train .verdict")
     # by hand: 45 kN leave, 105 kN are divided in halves; the wider the line the more tension
     drawn = page.get_by_label("Load case design", exact=True).locator("svg.chain")
     told = drawn.locator("text").all_text_contents()
@@ -543,6 +543,7 @@ def test_choices_are_answered_without_the_server(visitor: Visitor, tmp_path: Pat
         file.write_text(document_text(chosen, TRAIN_FILE), "utf-8")
         told = json.loads(wraparc("solve", str(file), "--json", "-")[1])
         said = page.locator(".governing .headline").inner_text()
+        said = re.split(r"\s+Raise \D+ to ", said)[0]  # a button stands behind it
         verdict = told["verdict"]
         assert said.partition(" ")[2] == f"{verdict['word']} {verdict['headline']}"
         creep = display(told["arcs"][0]["exit_creep"], "length", digits=RESULT_DIGITS)
