@@ -27,6 +27,7 @@ from wraparc.answer.sheet import shown
 from wraparc.answer.train_document import train_document
 from wraparc.answer.train_sheet import train_sheet
 from wraparc.checks import Level, judge, least_tension
+from wraparc.checks.check import INFO_CHECKS
 from wraparc.checks.rules import RULES
 from wraparc.drive import Criteria, DesignStandard, Pulley, Sag, TakeUp
 from wraparc.files.write import drive_document
@@ -140,8 +141,8 @@ def test_every_door_tells_the_verdict_of_a_train(number: int) -> None:
     assert (page.verdict.level, page.verdict.label) == (verdict.level, verdict.label)
     assert worded(page.verdict.text) == in_units(verdict.text)
     rows = sheets(workbook([result.drive_result()], train=result))["Summary"]
-    judged = {c.title: c.level.value for c in verdict.listed if c.compares}
-    assert {str(row[0]): row[6] for row in rows if len(row) > 6 and row[0] in listed} == judged
+    rated = {c.title: c.level.value for c in verdict.listed if c.name not in INFO_CHECKS}
+    assert {str(row[0]): row[6] for row in rows if len(row) > 6 and row[0] in listed} == rated
 
 
 def test_the_command_line_tells_the_verdict_of_a_train() -> None:

@@ -295,4 +295,4 @@ def test_where_no_creep_carries_the_pull_the_sentence_is_one() -> None:
     head = WrapArc.of(drive(), drive().pulleys[0], drive().load_cases[0])
     assert head.law.steepest_fall() == 0.0
     verdict = judge(solve(drive(450e3, 200e3, diameter=0.5), raise_on_failure=False))
-    assert in_units(verdict.text) == "Gross slip: safety 0.549 is below 1 (head, full)."
+    assert in_units(verdict.text) == "Gross slip: safety 0.547 is below 1 (head, full)."

@@ -65,7 +65,7 @@ def test_a_given_take_up_below_it_is_rejected_with_the_reason() -> None:
     assert np.array_equal(found.standings["sag"].broken, short)
     design = int(np.flatnonzero(short)[0])
     told = shown(reason(found, design, "sag"), "si")
-    assert told == "the sag of the belt: 30 kN, at least 40.5 kN (26 % under) [brake]"
+    assert told == "the sag of the belt: 30 kN, min 40.5 kN (26 % under) [brake]"
 
 
 def test_the_choose_file_gives_it_and_the_remarks_say_whether() -> None:

@@ -19,7 +19,7 @@ from cli.running import wraparc
 from wraparc import Drive, InputError, Lagging, Tensions, load_lagging, solve
 from wraparc.answer.choose_sheet import choose_sheet
 from wraparc.answer.sheet import shown
-from wraparc.checks import Level, judge, least_tension
+from wraparc.checks import Level, Verdict, judge, least_tension
 from wraparc.choose.cost import BeltPrice, Costing
 from wraparc.choose.file import search_from_document
 from wraparc.choose.search import Limits, Search
@@ -27,6 +27,7 @@ from wraparc.choose.selection import Selection, choose, own_slack
 from wraparc.drive.conditions import Condition
 from wraparc.train import solve_train
 from wraparc.train.file import load_train
+from wraparc.units import in_units
 
 SHIPPED = tuple(load_lagging(n) for n in ("diamond-rubber", "medium-ceramic", "full-ceramic"))
 
@@ -94,7 +95,7 @@ def same_standing(found: Selection, design: int) -> None:
     binding = {c.name for c in verdict.missed if c.binding}
     assert set(found.broken(design)) == binding & found.standings.keys()
     # how drives oppose each other is not for the design of one pulley to say
-    assert binding <= {*found.standings, "fight"}
+    assert binding <= {*found.standings, "opposing_drives"}
 
 
 @pytest.mark.parametrize("number", range(0, 24, 4))
@@ -194,10 +195,18 @@ def test_the_only_candidate_is_told_as_solve_tells_it(
     drive = search_from_document({"format": 1, "drive": str(tmp_path / "drive.toml"),
                                   "candidates": {}, "cost": {"currency": "AUD"}}).drive  # fmt: skip
     verdict = judge(solve(drive, raise_on_failure=False))
-    assert re.search(rf"\b{verdict.level.value}\b", chosen.words)
+    assert re.search(rf"^{verdict.level.value}  ", chosen.out, re.MULTILINE)
     assert solved.words.partition(" ")[2].startswith(verdict.level.value)
-    for check in verdict.missed:
-        assert shown(replace(check, remedy="").said, "si") in chosen.words
+    also_of(chosen.words, verdict)
+
+
+def also_of(words: str, verdict: Verdict) -> None:
+    """The first two that are missed are told, and how many more there are."""
+    for check in verdict.missed[:2]:
+        level = "" if check.level is verdict.level else f"{check.level}: "
+        assert f"Also {level}{in_units(check.text)}" in words
+    more = len(verdict.missed) - 2
+    assert (f"Also {more} more (--table checks)." in words) == (more > 0)
 
 
 MOTOR = """[train.motor.{name}]
@@ -231,8 +240,7 @@ def test_motors_are_judged_as_solve_judges_them(power: int, tmp_path: Path) -> N
     assert {c.name for c in verdict.missed if "motor" in c.name} == (
         set() if power == 130 else {"motor_load"}
     )
-    for check in verdict.missed:
-        assert shown(replace(check, remedy="").said, "si") in chosen.words
+    also_of(chosen.words, verdict)
 
 
 def pulley_of(text: str) -> str:
@@ -243,7 +251,7 @@ def pulley_of(text: str) -> str:
 def test_the_least_tension_of_a_search_is_that_of_the_sag_of_the_drive(tmp_path: Path) -> None:
     """By hand: m' g l/(8 h) = 200 kg/m 9.80665 m/s2 6 m/0.16 = 73.55 kN."""
     chosen = wraparc("choose", files(tmp_path, "62 kN", SAG, least=True))
-    assert "tension of 73.6 kN" in chosen.words
+    assert "Lowest cost: diamond-rubber with T2 73.6 kN," in chosen.words
     assert as_shown(200.0 * 9.80665 * 6.0 / 0.16) == 73.6e3
 
 

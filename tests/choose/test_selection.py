@@ -23,6 +23,7 @@ from wraparc.choose.ranking import front
 from wraparc.choose.search import Limits
 from wraparc.choose.selection import Selection, choose
 from wraparc.drive.conditions import Condition
+from wraparc.units import in_units
 
 
 @pytest.fixture(scope="module")
@@ -254,15 +255,15 @@ def test_the_least_slack_tension_keeps_the_tested_pressure() -> None:
 
 
 @pytest.mark.parametrize(
-    ("changes", "name", "level", "begins"),
+    ("changes", "name", "level", "cheapest"),
     [
-        ({}, "", Level.OK, "Choose full-ceramic"),
-        ({"fatigue_limit": 20e3}, "wet_creep", Level.ATTENTION, "Choose diamond-rubber"),
-        ({"least": 1.0}, "pulley_diameter", Level.FAILS, "The cheapest within the limits fails: "),
+        ({}, "", Level.OK, "full-ceramic with T2 20 kN"),
+        ({"fatigue_limit": 20e3}, "wet_creep", Level.ATTENTION, "diamond-rubber with T2 20 kN"),
+        ({"least": 1.0}, "pulley_diameter", Level.FAILS, "full-ceramic with T2 20 kN"),
     ],
 )
 def test_what_is_recommended_is_judged_as_solve_does(
-    changes: dict[str, float], name: str, level: Level, begins: str
+    changes: dict[str, float], name: str, level: Level, cheapest: str
 ) -> None:
     # expected: the checks of the same drive, put together by hand and judged
     limit = changes.get("fatigue_limit")
@@ -282,12 +283,14 @@ def test_what_is_recommended_is_judged_as_solve_does(
     chosen = found.search.laggings[found.grid.places[0, found.ranking[0]]]
     pulley = replace(whole.pulleys[0], lagging=chosen)
     by_hand = judge(solve(replace(whole, belt=belt, pulleys=(pulley,))))
-    assert [c.said for c in found.verdict.missed] == [c.said for c in by_hand.missed]
+    missed = [in_units(c.text) for c in by_hand.missed]
+    assert [in_units(c.text) for c in found.verdict.missed] == missed
     assert [c.name for c in by_hand.missed][:1] == [name][: len(by_hand.missed)]
     told = shown(choose_sheet(found), "si").verdict
     assert told is not None
     assert told.level is level
-    assert str(told.text).startswith(begins)
+    assert told.text.startswith(f"Lowest cost: {cheapest}, ")
+    assert [other.text for other in told.also] == missed
 
 
 def test_a_lighter_belt_is_solved_with_its_own_modulus() -> None:

@@ -40,7 +40,8 @@ def of_json(data: Data) -> Data:
     made = {"level": data["level"], "text": data["text"], "name": data["name"]}
     place = data["place"] or {}
     made |= {key: place.get(key) or "" for key in ("pulley", "load_case")}
-    return made | {key: number(data[key]) for key in ("value", "limit")}
+    # JSON has no word for what has no bound
+    return made | {key: data[key] for key in ("value", "limit") if data[key] is not None}
 
 
 def of_api(data: Data) -> Data:

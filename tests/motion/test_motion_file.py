@@ -491,3 +491,34 @@ def test_a_run_has_the_friction_of_its_load_case() -> None:
         peak = drum.extremes.creep.value
         assert peak == pytest.approx(case[name].arc.exit_creep, rel=2e-4)
         assert peak > 1.05 * dry[name].arc.exit_creep
+
+
+def test_a_brake_is_slack_where_the_belt_enters() -> None:
+    """T1 is 3 % of T2 there, as steady as elsewhere: the belt goes slack at a part of T1."""
+    text = """format = 1
+[belt]
+width = "1.8 m"
+speed = "1 m/s"
+modulus = "45 MN/m"
+[[pulley]]
+name = "head"
+diameter = "800 mm"
+wrap_angle = "210 deg"
+lagging = "full-ceramic"
+entry_tension = "7.2 kN"
+exit_tension = "240 kN"
+[motion]
+conveyor_mass = "100 t"
+[motion.drum.head]
+inertia = "900 kg m2"
+control = { kind = "exact-speed" }
+[[motion.event]]
+name = "still"
+duration = "0.1 s"
+happens = [{ kind = "load-step", at = "0.05 s", factor = 1.0 }]
+"""
+    motion = motion_from_text(text)
+    found = simulate(motion.station, motion.events[0])
+    assert found.outcome.whole
+    (drum,) = found
+    assert drum.entry_tension[-1] == pytest.approx(7.2e3, rel=1e-3)

@@ -20,6 +20,7 @@ from wraparc.checks import Level, judge
 from wraparc.drive import Belt
 from wraparc.errors import InputError
 from wraparc.train import MemberResult, Shares, Speeds, Train, solve_train, solve_train_batch
+from wraparc.units import in_units
 
 EVEN = Shares((0.5, 0.5))
 THICK = replace(FABRIC, pulley_cover=3e-3, carry_cover=7e-3, carcass=6e-3, mass=60.0)
@@ -144,7 +145,10 @@ def test_a_trim_between_drums_that_differ_asks_for_the_thickness(
     asked = [c for c in judge(result).checks if c.name == "belt_thickness"]
     assert [c.level for c in asked] == [Level.ATTENTION] * (shift is not None)
     if shift is not None:
-        assert shift in asked[0].sentence()
+        assert in_units(asked[0].text) == (
+            f"Trim uncertain by {shift}: belt thickness missing (p2, full)."
+        )
+        assert in_units(asked[0].action_text) == "Give pulley_cover, carry_cover and carcass."
         assert judge(result).level is not Level.OK
 
 

@@ -177,7 +177,7 @@ def test_five_questions_are_answered_by_hub_sentence_and_drawing(visitor: Visito
     )
     assert page.locator("svg.stage.warn .hub-number tspan").first.text_content() == "11.4"
     expect(page.locator("#verdict .act button")).to_have_text(
-        "Use lagging full-ceramic: creep 6.55 mm."
+        "Use lagging full-ceramic and T2 75 kN."
     )
     assert page.locator("svg.stage .band-over").get_attribute("d")
     expect(page.locator("#cases [aria-pressed=true]")).to_contain_text("start 180 %")

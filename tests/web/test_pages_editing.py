@@ -11,6 +11,7 @@ from web.browser import LATER, Calculator, Visitor, turn
 from web.calculators import document, wait_for
 from web.test_pages import key_figure
 from worded import worded
+from wraparc.units import display
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
@@ -236,7 +237,7 @@ def test_governing_case_comes_first_and_keeps_its_advice(visitor: Visitor) -> No
         expect(chip).to_have_attribute("aria-pressed", "true")
         arc = next(a for a in answer["arcs"] if a["load_case"] == case)
         share = abs(arc["numbers"]["exit_creep"]) / arc["creep_limit"]
-        expect(chip).to_contain_text(f"{case} {100 * share:.3g} %")
+        expect(chip).to_contain_text(f"{case} {display(100 * share, 'number', digits=3)} %")
         sign = {"OK": "good", "ATTENTION": "warn", "FAILS": "bad"}[arc["level"]]
         expect(chip.locator("svg")).to_have_class(f"g {sign}")
         expect(page.locator("#why")).to_contain_text(f"head, {case}")

@@ -8,34 +8,15 @@ from typing import Any
 
 import numpy as np
 
-from wraparc.answer.choose_words import (
-    design_name,
-    money,
-    next_dearer_words,
-    reasons,
-    saving_words,
-    slack_words,
-    unpriced_words,
-)
-from wraparc.answer.least_tension import at_least, tension_at
-from wraparc.answer.sheet import (
-    Row,
-    Sheet,
-    Table,
-    Verdict,
-    headed,
-    named,
-    number,
-    percent,
-    quantity,
-)
-from wraparc.answer.words import format_verdict, stated_action, under
-from wraparc.checks import Level
-from wraparc.checks.action import Action
+from wraparc.answer.choose_verdict import choose_verdict
+from wraparc.answer.choose_words import design_name, reasons
+from wraparc.answer.least_tension import tension_at
+from wraparc.answer.sheet import Row, Sheet, Table, headed, number, percent, quantity
 from wraparc.choose.across import MOST, is_uneven
 from wraparc.choose.belt_rating import LighterBelt
 from wraparc.choose.selection import Selection
 from wraparc.drive import Sag
+from wraparc.units import RESULT_DIGITS, Cell
 
 _MOST_ROWS = 15
 _CSV_HEADS = (
@@ -62,10 +43,10 @@ def choose_sheet(
     """
     search = selection.search
     tables = [_ranking(selection, most), _rejected(selection, most)]
-    told = _verdict(selection, lighter)
+    told = choose_verdict(selection, lighter)
     remarks, sources = tuple(_remarks(selection)), tuple(_sources(selection))
     return Sheet(
-        title=search.title or f"Choice for {search.drive.title}",
+        title=search.title or f"Choice for {search.drive.title or 'the drive'}",
         subtitle=f"Pulley {search.pulley} of {search.drive.title or 'the drive'}: "
         f"{len(selection)} designs, {len(selection.ranking)} keep every limit"
         f"{_but_edges(selection)}.",
@@ -80,93 +61,6 @@ def choose_sheet(
 def _but_edges(selection: Selection) -> str:
     count = len(selection.unjudged)
     return f", {count} of them not solved across the width" if count else ""
-
-
-def _verdict(selection: Selection, lighter: LighterBelt | None) -> Verdict:
-    if not len(selection.ranking):
-        return _single(selection) if len(selection) == 1 else _none(selection)
-    best = int(selection.ranking[0])
-    currency, years = selection.search.costing.currency, selection.search.costing.years
-    held = tension_at(selection.search.drive.take_up_place)
-    text = (
-        f"Lowest cost: {design_name(selection, best, slack=False)} with {held} "
-        f"{at_least(float(selection.slack_tension[best]))}, "
-        f"{money(float(selection.costs.total[best]), currency)} in {years:g} years."
-    )
-    sentences = [
-        *unpriced_words(selection),
-        *next_dearer_words(selection),
-        *saving_words(selection),
-    ]
-    if lighter is not None:
-        sentences.append(_lighter_belt(selection, lighter))
-    action = " ".join(_other_search(selection))
-    own = Verdict(
-        Level.OK,
-        text,
-        tuple(sentences),
-        action=Action(action) if action else None,
-        name="choose",
-    )
-    judged = selection.verdict
-    return under(own, format_verdict(judged, action=stated_action(judged)))
-
-
-def _lighter_belt(selection: Selection, lighter: LighterBelt) -> str:
-    """Say which lightest belt of the catalogue would do."""
-    tight = named("belt_modulus", lighter.tight_tension / selection.search.drive.belt.width)
-    shares = (selection.search.limits.rating or {}).items()
-    allowed = "".join(f", of which {case} may take {percent(s)}" for case, s in shares)
-    return (
-        f"The lightest catalogue belt that would do is {lighter.belt.name}: "
-        f"{slack_words(selection.search)} {named('tension', lighter.slack_tension)}, largest "
-        "tension "
-        f"{tight} of a rated {named('belt_modulus', lighter.belt.rating or 0.0)}{allowed}."
-    )
-
-
-def _none(selection: Selection) -> Verdict:
-    """Say that no candidate passes, which is closest, and what most of them miss."""
-    near = selection.nearest()
-    counts = {s.rule.what: int(s.broken.sum()) for s in selection.standings.values()}
-    counts = {what: count for what, count in counts.items() if count}
-    told = ", ".join(f"{what} ({count} of {len(selection)})" for what, count in counts.items())
-    most = max(counts, key=lambda n: counts[n])
-    return Verdict(
-        Level.FAILS,
-        f"No candidate passes. Closest: {design_name(selection, near)}.",
-        (f"Missed: {told}.", f"Closest: {reasons(selection, near)}."),
-        action=Action(f"Add candidates against what most miss, {most}."),
-        name="choose",
-    )
-
-
-def _single(selection: Selection) -> Verdict:
-    """Say what the only candidate comes to, as `solve` does: there is nothing to choose."""
-    judged, broken = selection.judged(0), selection.broken(0)
-    failed = set(broken) & selection.search.limits.stated
-    own = Verdict(
-        Level.FAILS if failed else judged.level,
-        f"The candidate {design_name(selection, 0)} does not pass.",
-        (f"Missed: {reasons(selection, 0)}.",) if broken else (),
-        name="choose",
-    )
-    return under(own, format_verdict(judged, action=stated_action(judged)))
-
-
-def _other_search(selection: Selection) -> Iterator[str]:
-    """Yield what to search instead where the recommended design misses a check."""
-    missed = {check.name for check in selection.verdict.missed}
-    if not missed:
-        return
-    found = selection.sounder
-    if found is None:
-        if missed & selection.search.limits.stated:
-            yield "Search again with that limit, or with other candidates."
-        return
-    cost = money(float(selection.costs.total[found]), selection.search.costing.currency)
-    does = "keeps every check" if selection.judged(found).level is Level.OK else "does not fail"
-    yield f"The next design of the ranking that {does} is {design_name(selection, found)}: {cost}."
 
 
 def _heads(selection: Selection) -> tuple[str, ...]:
@@ -188,7 +82,9 @@ def _ranking(selection: Selection, most: int) -> Table:
             *(f"{v[i]:,.0f}" for v in (costs.total, costs.lagging, costs.energy)),
             number("exit_creep", float(selection.creep[i])),
             *([_uneven(selection, i)] if is_uneven(selection.search) else []),
-            number("tension", float(selection.slack_tension[i])),
+            Cell(
+                float(selection.slack_tension[i]), "force", RESULT_DIGITS, "bare up", name="tension"
+            ),
             number("belt_modulus", float(selection.tight_tension[i]) / width),
             " ".join(marks),
         )

@@ -65,13 +65,37 @@ def reason(selection: Selection, design: int, name: str) -> str:
         )  # fmt: skip
         by = f"{percent(excess, 2)} {'over' if rule.at_most else 'under'}"
         text = f"{rule.what}: {check.texts()[0]}, {check.bound()} ({by})"
+    places = _places(selection, design, name)
+    return f"{text} [{', '.join(places)}]" if places else text
+
+
+def _places(selection: Selection, design: int, name: str) -> list[str]:
+    """Return where a design stands worst to a check: pulley and condition if there are several."""
+    standing, search = selection.standings[name], selection.search
     pulley, case, condition = selection.place(int(standing.where[design]))
-    if rule is PULLEY_DIAMETER:
-        return text
-    search = selection.search
-    place = [pulley] if len(search.drive.pulleys) > 1 else []
-    place += [case, condition] if len(search.conditions) > 1 and rule.result else [case]
-    return f"{text} [{', '.join(place)}]"
+    if standing.rule is PULLEY_DIAMETER:
+        return []
+    places = [pulley] if len(search.drive.pulleys) > 1 else []
+    several = len(search.conditions) > 1 and standing.rule.result
+    return [*places, case, condition] if several else [*places, case]
+
+
+def closest_words(selection: Selection, design: int) -> str:
+    """Return a design with its worst miss: ``full-ceramic, creep 7.1 of 6.35 mm (design)``."""
+    missed = selection.broken(design)
+    name = max(missed, key=lambda n: float(selection.standings[n].excess[design]))
+    standing = selection.standings[name]
+    rule, value = standing.rule, float(standing.value[design])
+    own = (c.noun for c in selection.judged(design).checks if c.name == name and c.noun)
+    check = Check(
+        name=name, title=rule.what, level=rule.missed, value=value,
+        limit=float(standing.limit[design]), dimension=rule.dimension, at_most=rule.at_most,
+    )  # fmt: skip
+    if not check.measured:
+        return f"{design_name(selection, design)}, {reason(selection, design, name)}"
+    places = _places(selection, design, name)
+    where = f" ({', '.join(places)})" if places else ""
+    return f"{design_name(selection, design)}, {next(own, rule.what)} {check.measured}{where}"
 
 
 def reasons(selection: Selection, design: int) -> str:

@@ -21,7 +21,7 @@ from wraparc.choose.search import Grid, Search
 from wraparc.choose.what_if import redivided
 from wraparc.drive import Drive
 from wraparc.train import Train
-from wraparc.train.whole import Described, solved
+from wraparc.train.whole import Described, Whole, solved
 
 #: Designs of the ranking that are judged at most, where the first one misses a check.
 MOST_JUDGED = 12
@@ -102,11 +102,14 @@ class Selection:
 
     def judged(self, design: int) -> Verdict:
         """Return what a design comes to in all conditions, judged as `solve` does its drive."""
-        every = (self._described(design, k) for k in range(len(self.search.conditions)))
-        verdicts = [judge(solved(one)) for one in every]
+        verdicts = [judge(result) for result in self.results(design)]
         if len(verdicts) == 1:
             return verdicts[0]
         return Verdict(tuple(check for verdict in verdicts for check in verdict.checks))
+
+    def results(self, design: int) -> list[Whole]:
+        """Return a design as `solve` solves its drive, in every condition."""
+        return [solved(self._described(design, k)) for k in range(len(self.search.conditions))]
 
     def _described(self, design: int, condition: int) -> Described:
         """Return a design as a file would describe it: of a train, a train."""

@@ -155,7 +155,7 @@ class March(StationState):
     def _as_guessed(self, trial: Trial) -> bool:
         """Whether tensions and speeds went on nearly as they went in the two steps before."""
         guess = guessed(self, trial.h)
-        off = [abs(a - b) / self.slack for a, b in zip(trial.tensions, guess.tensions, strict=True)]
+        off = [abs(a - b) / self.least for a, b in zip(trial.tensions, guess.tensions, strict=True)]
         off += [
             abs(a - b) / d.duty.speed
             for a, b, d in zip(trial.omega, guess.omega, self.drums, strict=True)

@@ -98,6 +98,7 @@ class StationState:
         self.failures = [h for h in event.of(PowerFailure) if isinstance(h, PowerFailure)]
         between = [m.arc.exit_tension for m in self.steady.members[:-1]]
         self.T = [case.entry_tension, *between, case.exit_tension]
+        self.least = min(self.T)  # where the belt is slack: of brakes where it enters [N]
         self.v = self.speed if not event.from_rest else 0.0
         # dT/dt and dv/dt, and in the step before
         self.rates, self.rates_0 = [0.0] * (self.n + 1), [0.0] * (self.n + 1)
@@ -177,7 +178,7 @@ class StationState:
         """Whether some tension, above m v^2, has become next to nothing."""
         now = max(d.arc.lift for d in self.drums)
         steady = max(d.arc.arc.centrifugal for d in self.drums)
-        return min(tensions) - now < 0.05 * (self.slack - steady)
+        return min(tensions) - now < 0.05 * (self.least - steady)
 
     def goes_slack(self, tensions: list[float]) -> HaltError:
         """The end of a run whose belt goes slack."""

@@ -1649,6 +1649,7 @@ yield* $iter(usual__usual_sizes(drive, ...$iter(others)));
 for (pulley of $iter(drive.pulleys)) {
 yield of_data__data(drive, pulley);
 }
+yield* $iter(of_data__belt_mass(drive));
 }
 function* judge___case(drive, case_, arcs) {
 let index, pulley, result, rule, spot;
@@ -2108,6 +2109,48 @@ return new Check("data", "Data line", "OK", new Place($bound(pulley, "name")), u
 function of_data__key_word(key) {
 
 return $m.get($cd058, key, $m.replace(key, "_", " "));
+}
+function* of_data__belt_mass(drive) {
+let belt, case_, least, most, place, pulley, slack, tensions;
+
+(belt = drive.belt);
+if (((belt.mass != null) || (belt.speed == null))) {
+return null;
+}
+(tensions = [...(function* () { for (const case_ of $iter(drive.load_cases)) { for (const [name, of] of $iter($m.items(case_.tensions))) { yield [$b.min($bound(of, "entry"), $bound(of, "exit")), name, case_.name]; }} })()]);
+([slack, pulley, case_] = $b.min(tensions, $k({key: ((of) => $at(of, 0))})));
+([least, most] = (function* () { for (const mass of $iter(belt_mass__usual_mass(belt))) { yield pitch__centrifugal_force(mass, $bound(belt, "speed")); } })());
+if ((most <= $mul(0.02, slack))) {
+return null;
+}
+(place = new Place(pulley, case_));
+yield new Check("belt_mass", "Belt m v2", "NOT CHECKED", place, undefined, "belt m v2", undefined, undefined, undefined, undefined, undefined, undefined, undefined, ("" + "Belt mass missing: m v2 {least} to {most} (estimated) is left out, up to {share} % of T2" + $str(check__escaped($bound(place, "bracket"))) + "."), undefined, "carcasses of the catalogue and usual covers", "belt.mass", undefined, $map([["least", new Amount(least, "force")], ["most", new Amount(most, "force")], ["share", new Amount(($mul(100.0, most) / slack), "number")]]), false);
+}
+function belt_mass__usual_mass(belt) {
+let covers, heavy, known, least, light, most, near, row, rows;
+
+(rows = [...(function* () { for (const row of $iter(belts())) { if (!(((row.carcass_mass != null) && (row.cover_mass != null)))) continue; yield row; } })()]);
+for (near of $iter([[...(function* () { for (const row of $iter(rows)) { if (!(($eq(row.name, belt.name)))) continue; yield row; } })()], [...(function* () { for (const row of $iter(rows)) { if (!(($truth(belt_mass___kind_agrees(row, belt)) && $truth(belt_mass___rating_agrees(row, belt))))) continue; yield row; } })()], [...(function* () { for (const row of $iter(rows)) { if (!($truth(belt_mass___kind_agrees(row, belt)))) continue; yield row; } })()]])) {
+if ($truth(near)) {
+(rows = near);
+break;
+}
+}
+(known = pitch__layers_of(belt));
+(covers = [...(function* () { for (const [cover, ends] of $iter($b.zip([known.pulley_cover, known.carry_cover], $c1f4f, $k({strict: true})))) { yield ($truth($math.isnan(cover)) ? ends : [cover, cover]); } })()]);
+([least, most] = [Infinity, 0.0]);
+for (row of $iter(rows)) {
+(light = belt_mass__layer_mass(row, $bound(belt, "width"), $at($at(covers, 0), 0), $at($at(covers, 1), 0)));
+(heavy = belt_mass__layer_mass(row, $bound(belt, "width"), $at($at(covers, 0), 1), $at($at(covers, 1), 1)));
+([least, most] = [$b.min(least, $or(light, () => Infinity)), $b.max(most, $or(heavy, () => 0.0))]);
+}
+return new MassRange(least, most);
+}
+function belt_mass___kind_agrees(row, belt) {
+return $or(($eq(row.kind, belt.kind)), () => !$truth(belt.kind));
+}
+function belt_mass___rating_agrees(row, belt) {
+return $and((belt.rating != null), () => ($b.abs($math.log((row.rating / belt.rating))) <= $math.log(1.3)));
 }
 function judge___conditions(result) {
 let cases, conditions;
@@ -6351,6 +6394,9 @@ $sig(VariableSpeed, ["rated_power", "rated_speed", "gear_ratio", "gear_efficienc
 class Sizes extends $Tuple {
 }
 $sig(Sizes, ["width", "modulus", "speed", "diameter", "idle_wrap", "wrap_angle", "creep_limit", "overrun", "thickness", "shear_modulus", "compression_modulus", "rating", "strength", "bond_strength", "fatigue_limit", "face_pressure", "least_diameter", "sag", "entry", "leaving", "pull", "mass"], false, {});
+class MassRange extends $Tuple {
+}
+$sig(MassRange, ["least", "most"], false, {});
 class Verdict extends $Object {
 get governing() { return $kept(this, "governing", this.$find_governing()); }
 get listed() { return $kept(this, "listed", this.$find_listed()); }
@@ -6441,7 +6487,7 @@ return verdict__data_line($b.tuple((function* () { for (const c of $iter(self.ch
 get remarks() {
 const self = this; let texts;
 
-(texts = (function* () { for (const c of $iter(self.checks)) { if (!((($eq(c.name, "data")) && $truth(c.full)))) continue; yield c.full_text; } })());
+(texts = (function* () { for (const c of $iter(self.checks)) { if (!((($in(c.name, ["data", "belt_mass"])) && $truth(c.full)))) continue; yield c.full_text; } })());
 return $b.tuple($b.fromkeys(texts));
 }
 get full() {
@@ -9505,6 +9551,9 @@ const $cece7 = [0.03, 1.9];
 const $c5944 = ["force", "mass_per_length"];
 const $cb216 = ["illustrative", "untested", "estimated", "calibrated"];
 const $cd058 = new Map([["shear_modulus", "G"], ["compression_modulus", "E_c"], ["in_plane_shear_stiffness", "in-plane shear stiffness"]]);
+const $c2aa0 = [0.0015, 0.006];
+const $c02c1 = [0.003, 0.015];
+const $c1f4f = [$c2aa0, $c02c1];
 const $cd36e = new WeakMap();
 const $c63ca = [180.0, 1.2];
 const $c0098 = [200.0, 1.0];
@@ -9787,6 +9836,7 @@ Sliding.$compared = Sliding.$names;
 VariableSpeed.$compared = VariableSpeed.$names;
 VariableSpeed.LIMITS = VariableSpeed.prototype.LIMITS = $ca384;
 Sizes.$compared = Sizes.$names;
+MassRange.$compared = MassRange.$names;
 Verdict.$compared = Verdict.$names;
 Figure.$compared = Figure.$names;
 StandardRequirement.$compared = StandardRequirement.$names;
