@@ -18,8 +18,8 @@ def _condition(of: Spot) -> Iterator[Check]:
     """Ask for attention where a law stands for a surface that it was not tested on."""
     lagging = of.pulley.lagging
     if SCALED in lagging.sources:
-        factor = 1.0 if lagging.scaled_by is None else lagging.scaled_by
-        used = f"dry friction times {factor:.3g} used"
+        factor = lagging.scaled_by
+        used = f"dry friction {'scaled' if factor is None else f'times {factor:.3g} used'}"
         full = f"Source of the factor: {origin(lagging.sources[SCALED])}."
         yield _untested(of, lagging.condition, SCALED, used, full)
     if WORN in lagging.sources:

@@ -77,6 +77,7 @@ def _law_parts(
         "law": factors.used if factors is not None else tested,
         "factors": factors,
         "condition": law.get("condition", "dry"),
+        "scaled_by": law.get("condition_factor"),
         "fit": FIT.built(law.get("fit"), report),
         "notes": (*notes, *law.get("notes", ())),
         "sources": sources | {part: of for part, of in parts.items() if of},

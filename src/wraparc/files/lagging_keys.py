@@ -163,6 +163,11 @@ _LAW = (
     Entry("condition", "State of the surface; dry if left out.", Name()),
     Entry("provenance", "Where this law came from, if elsewhere.", PROVENANCE),
     Entry(
+        "condition_factor",
+        "Of a law that was scaled to its condition: the factor on the tested friction.",
+        _FACTOR,
+    ),
+    Entry(
         "condition_source",
         "Of a law that was scaled to its condition: where the factor came from.",
         PROVENANCE,

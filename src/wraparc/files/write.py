@@ -361,6 +361,7 @@ def _law(lagging: Lagging, notes: Sequence[str]) -> Tables:
         temperature_factor=_factor_table("temperature", of.by_temperature) if of else None,
         condition=lagging.condition,
         provenance=PROVENANCE.written(own) if own else None,
+        condition_factor=lagging.scaled_by,
         condition_source=PROVENANCE.written(scaled) if scaled else None,
         fit=FIT.written(lagging.fit) if lagging.fit else None,
         notes=list(notes) or None,
