@@ -48,7 +48,7 @@ def _placed(checks: tuple[Check, ...], conditions: dict[str, str]) -> tuple[Chec
         return checks
     return tuple(
         replace(check, place=check.place._replace(condition=conditions[check.place.load_case]))
-        if check.place.load_case in conditions and check.name != "condition"  # its sentence has it
+        if check.place.load_case in conditions
         else check
         for check in checks
     )
