@@ -9,7 +9,7 @@ import math
 import re
 import shutil
 from collections.abc import Iterator
-from dataclasses import astuple, replace
+from dataclasses import replace
 from functools import cache, partial
 from importlib import import_module
 from itertools import zip_longest
@@ -33,8 +33,9 @@ from wraparc.answer.sheet import Sheet, percent, shown
 from wraparc.answer.sheet import shown as told_in
 from wraparc.answer.train_sheet import signed, train_sheet
 from wraparc.answer.train_words import case_sentences
+from wraparc.answer.verdict_data import verdict_object
 from wraparc.checks import Check, Level, judge
-from wraparc.checks.numbers import margin_of, order_of
+from wraparc.checks.numbers import MOST_USED, margin_of, order_of
 from wraparc.cli import motion
 from wraparc.drive import Tensions
 from wraparc.motion import vibration
@@ -53,7 +54,9 @@ def differing(one: Sheet, other: Sheet) -> list[tuple[str, str]]:
 
     def texts(sheet: Sheet) -> Iterator[str]:
         yield from (sheet.title, sheet.subtitle, *sheet.remarks, *sheet.sources)
-        yield from astuple(sheet.verdict) if sheet.verdict else ()
+        if sheet.verdict is not None:
+            data = verdict_object(sheet.verdict, str)  # with its numbers and places
+            yield from (f"{name}: {told}" for name, told in words(data))
         for table in sheet.tables:
             yield from (table.title, table.note, *table.heads)
             for row in table.rows:
@@ -134,7 +137,7 @@ def test_the_place_of_a_check_of_the_solution_is_not_that_of_the_largest_noise()
     assert len(places) == 1
     rows = told_in(check_table(judge(result)), "si").rows
     values = {row.name: row.values[0] for row in rows if "balance" in row.name}
-    assert values == {"train_balance": "< 1e-5", "balance": "< 1e-4"}
+    assert values == {"balance": "< 1e-4"}
 
 
 def test_nothing_is_minus_nothing() -> None:
@@ -182,10 +185,15 @@ def test_a_term_of_which_no_digit_shows_has_no_sign() -> None:
 
 def test_alike_margins_govern_in_their_order_however_large() -> None:
     """Expected: by hand; equal to rounding is equal, and what cannot be rounded is itself."""
-    place = partial(order_of, missed=False, kind=0.0)
-    assert place(0.3) == place(0.3 + 3e-16)
-    assert place(0.3) < place(0.3 + 3e-9)
-    assert [place(m) for m in (-1e305, 1e305, math.inf)] == [-1e305, 1e305, math.inf]
+    for missed in (False, True):
+        place = partial(order_of, missed=missed, kind=0.0)
+        assert place(0.3) == place(0.3 + 3e-16)
+        assert place(0.3) > place(0.3 + 3e-9), "the most used first"
+        assert place(3e3) > place(MOST_USED) == place(1e305) == place(math.inf)
+    assert order_of(math.nan, False, 0.0) == math.inf, "without a number: last of what passes"
+    assert order_of(math.nan, True, 0.0) == order_of(math.inf, True, 0.0), "first of what misses"
+    assert order_of(0.1, True, 1.0) > order_of(math.inf, True, 0.0), "the kind before the use"
+    assert order_of(math.inf, True, 1.0) > order_of(0.1, True, 0.0)
 
 
 #: Letters of a picture, which stay letters.

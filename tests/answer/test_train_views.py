@@ -34,7 +34,7 @@ def test_it_shows_its_drives() -> None:
     assert "Data Friction, block, E_c illustrative; G estimated." in text
     full = tandem().full()
     assert "Load case design: first carries 50 %, second carries 50 %." in full
-    for words in ("Drives: load case design", "Drives: load case empty", "Speed by extra"):
+    for words in ("Drives: load case design", "Drives: load case empty", "extra creep ", "g - g1"):
         assert words in full
 
 

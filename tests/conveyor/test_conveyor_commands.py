@@ -73,4 +73,4 @@ def test_the_choice_has_the_least_tension_of_the_checks(folder: Path) -> None:
     assert found is not None
     told = shown(at_least(found.tension), "si")
     ran = wraparc("choose", folder / "choose.toml")
-    assert f"tension at the take-up of {told}" in ran.words
+    assert f"Lowest cost: diamond-rubber with tension at the take-up {told}, " in ran.words

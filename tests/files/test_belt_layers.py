@@ -19,6 +19,7 @@ from wraparc.drive import Drive
 from wraparc.drive.pitch import cover_compliance, layers_of, pitch_offset
 from wraparc.files import drive_from_text, drive_text
 from wraparc.train.file import train_from_text
+from wraparc.units import in_units
 
 LAYERS = 'pulley_cover = "3 mm"\ncarry_cover = "7 mm"\ncarcass = "6 mm"\nmass = "20 kg/m"'
 TEXT = """
@@ -74,8 +75,10 @@ def test_a_thickness_alone_tells_no_offset() -> None:
 def test_a_cover_without_a_modulus_is_estimated_and_says_so() -> None:
     of = drive()
     assert cover_compliance(of.belt, "pulley") == pytest.approx(3e-3 / 1e6)
-    data = [c.sentence() for c in judge(solve(of)).checks if c.name == "data"]
-    assert "cover shear modulus of the belt" in " ".join(data)
+    judged = judge(solve(of))
+    assert "cover_shear_modulus" in judged.data.of_class("estimated")
+    assert "cover shear modulus, G estimated." in judged.data.text
+    assert "Estimated: cover shear modulus of belt, " in " ".join(judged.remarks)
     stated = drive(LAYERS + '\ncover_shear_modulus = "1.5 MPa"')
     assert cover_compliance(stated.belt, "carry") == pytest.approx(7e-3 / 1.5e6)
 
@@ -138,7 +141,8 @@ def test_the_mass_of_the_whole_belt() -> None:
     checks = judge(solve(drive('mass = "200 kg/m"'))).checks
     asked = [c for c in checks if c.name == "usual_sizes"]
     assert [c.level for c in asked] == [Level.ATTENTION]
-    assert "Is it that of the whole belt?" in asked[0].sentence() + asked[0].remedy
+    assert in_units(asked[0].text) == "Belt mass 200 kg/m is outside the usual 1.2 to 156 kg/m."
+    assert asked[0].action_text == "Check belt.mass: per length of belt."
     with pytest.raises(InputError) as error:
         drive('mass = "20 t/m"'.replace("20 t/m", "20000 kg/m"))
     assert "not that of the whole belt" in told(error)
