@@ -328,7 +328,8 @@ def test_number_typed_over_what_could_not_be_read_takes_the_unit_of_its_field(
 
 def test_best_is_bold_only_where_everything_is_kept(visitor: Visitor) -> None:
     page = visitor.open("compare", unfold=True)
-    page.evaluate("import('/static/main.js').then((m) => m.edit(['covered'], true))")
+    for field, value in (("covered", "true"), ("creep_limit", "'7 mm'")):
+        page.evaluate(f"import('/static/main.js').then((m) => m.edit(['{field}'], {value}))")
     rows = page.locator("#compare tbody tr")
     failing = rows.filter(has=page.locator(".badge:not(.good)"))
     passing = rows.filter(has=page.locator(".badge.good"))
