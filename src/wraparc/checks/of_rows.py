@@ -52,7 +52,7 @@ NOT_CHECKED = (
     "the energy balance of each solution",
     "the interval of the creep by a fitted law (draw the law instead)",
     "the torque of motors, where the load of a train is not divided anew in every row",
-    "how drives oppose each other, the sizes of motors, what a take-up holds in all load cases",
+    "opposing drives, sizes of motors, take-ups over load cases",
 )
 #: Relative distance within which two numbers may be the same in the digits that are shown.
 _NEAR = 2e-3
