@@ -2164,7 +2164,7 @@ function judge___placed(checks, conditions) {
 if (!$truth(conditions)) {
 return checks;
 }
-return $b.tuple((function* () { for (const check of $iter(checks)) { yield ((($in(check.place.load_case, conditions)) && (!$eq(check.name, "condition"))) ? $replaced(check, new Map([["place", $replaced(check.place, new Map([["condition", $at(conditions, check.place.load_case)]]))]])) : check); } })());
+return $b.tuple((function* () { for (const check of $iter(checks)) { yield (($in(check.place.load_case, conditions)) ? $replaced(check, new Map([["place", $replaced(check.place, new Map([["condition", $at(conditions, check.place.load_case)]]))]])) : check); } })());
 }
 function least_tension__least_tension(result) {
 let one;
@@ -3459,7 +3459,7 @@ if ($truth($b.isinstance($m.get(law, "condition_source"), Record))) {
 if ((factors != null)) {
 (parts = $merged(parts, factors.sources));
 }
-return $map([["law", ((factors != null) ? factors.used : tested)], ["factors", factors], ["condition", $m.get(law, "condition", "dry")], ["fit", $cb4b3.built($m.get(law, "fit"), report)], ["notes", [...$iter(notes), ...$iter($m.get(law, "notes", []))]], ["sources", $merged(sources, $map([...(function* () { for (const [part, of] of $iter($m.items(parts))) { if (!($truth(of))) continue; yield [part, of]; } })()]))]]);
+return $map([["law", ((factors != null) ? factors.used : tested)], ["factors", factors], ["condition", $m.get(law, "condition", "dry")], ["scaled_by", $m.get(law, "condition_factor")], ["fit", $cb4b3.built($m.get(law, "fit"), report)], ["notes", [...$iter(notes), ...$iter($m.get(law, "notes", []))]], ["sources", $merged(sources, $map([...(function* () { for (const [part, of] of $iter($m.items(parts))) { if (!($truth(of))) continue; yield [part, of]; } })()]))]]);
 }
 function laws__read_law(record, report) {
 let error, kind, law, names;
@@ -4866,8 +4866,8 @@ let factor, full, lagging, used;
 
 (lagging = of.pulley.lagging);
 if (($in("condition", lagging.sources))) {
-(factor = ((lagging.scaled_by == null) ? 1.0 : lagging.scaled_by));
-(used = ("" + "dry friction times " + $format(factor, ("" + ".3g")) + " used"));
+(factor = lagging.scaled_by);
+(used = ("" + "dry friction " + $str(((factor == null) ? "scaled" : ("" + "times " + $format(factor, ("" + ".3g")) + " used")))));
 (full = ("" + "Source of the factor: " + $str(rule__origin($at(lagging.sources, "condition"))) + "."));
 yield of_data___untested(of, $bound(lagging, "condition"), "condition", used, full);
 }
@@ -8408,6 +8408,7 @@ const $c813f2 = $made(Entry, $cc442, ["kind", $c646a, true, "", "", "kind", ""])
 const $c3f7f = $made(Name, $c4a10, [60]);
 const $cb8a8 = $made(Entry, $cc442, ["condition", $c3f7f, false, "", "", "condition", ""]);
 const $cd10e = $made(Entry, $cc442, ["provenance", $cc542, false, "", "", "provenance", ""]);
+const $ce384 = $made(Entry, $cc442, ["condition_factor", $cbaec, false, "", "", "condition_factor", ""]);
 const $cca84 = $made(Entry, $cc442, ["condition_source", $cc542, false, "", "", "condition_source", ""]);
 const $cbdba = $made(Name, $c4a10, [120]);
 const $c6426 = $made(Rows, $ce552, [$cbdba, 1, 1000]);
@@ -8502,15 +8503,15 @@ const $cc488 = $made(Entry, $cc442, ["pressure_unit", $ce3fa, false, "", "", "pr
 const $ccc84 = $made(Limit, $cf70d, ["number", 0.0, 0.5, false, false]);
 const $c2620 = $made(Quantity, $cd20a, ["number", $ccc84]);
 const $cb6ac = $made(Entry, $cc442, ["continuity", $c2620, false, "", "", "continuity", ""]);
-const $cde4e = [$c813f2, $cb8a8, $cd10e, $cca84, $c1057, $caa9e, $cb813, $c0aa1, $cfb99, $c9fcf, $c160f, $cb799, $c94d6, $c85eb, $cea5d, $cc488, $cb6ac];
-const $c3ac0 = new Map([["kind", $c813f2], ["condition", $cb8a8], ["provenance", $cd10e], ["condition_source", $cca84], ["fit", $c1057], ["slip_includes", $caa9e], ["slip_speed_factor", $cb813], ["temperature_factor", $c0aa1], ["notes", $cfb99], ["tested_pressure", $c9fcf], ["tested_slip", $c160f], ["tested_slip_speed", $cb799], ["knots", $c94d6], ["pieces", $c85eb], ["slip_unit", $cea5d], ["pressure_unit", $cc488], ["continuity", $cb6ac]]);
+const $cde4e = [$c813f2, $cb8a8, $cd10e, $ce384, $cca84, $c1057, $caa9e, $cb813, $c0aa1, $cfb99, $c9fcf, $c160f, $cb799, $c94d6, $c85eb, $cea5d, $cc488, $cb6ac];
+const $c3ac0 = new Map([["kind", $c813f2], ["condition", $cb8a8], ["provenance", $cd10e], ["condition_factor", $ce384], ["condition_source", $cca84], ["fit", $c1057], ["slip_includes", $caa9e], ["slip_speed_factor", $cb813], ["temperature_factor", $c0aa1], ["notes", $cfb99], ["tested_pressure", $c9fcf], ["tested_slip", $c160f], ["tested_slip_speed", $cb799], ["knots", $c94d6], ["pieces", $c85eb], ["slip_unit", $cea5d], ["pressure_unit", $cc488], ["continuity", $cb6ac]]);
 const $c5f9b = $made(tables$Table, $cc03e, [IntegralLog, $cde4e, $c3ac0]);
 const $cc85b = ["constant"];
 const $ca100 = $made(Choice, $ca793, [$cc85b]);
 const $c4ce1 = $made(Entry, $cc442, ["kind", $ca100, true, "", "", "kind", ""]);
 const $c1993 = $made(Entry, $cc442, ["friction", $c47dc, true, "", "", "friction_coefficient", ""]);
-const $c0a43 = [$c4ce1, $cb8a8, $cd10e, $cca84, $c1057, $caa9e, $cb813, $c0aa1, $cfb99, $c9fcf, $c160f, $cb799, $c1993];
-const $c6433 = new Map([["kind", $c4ce1], ["condition", $cb8a8], ["provenance", $cd10e], ["condition_source", $cca84], ["fit", $c1057], ["slip_includes", $caa9e], ["slip_speed_factor", $cb813], ["temperature_factor", $c0aa1], ["notes", $cfb99], ["tested_pressure", $c9fcf], ["tested_slip", $c160f], ["tested_slip_speed", $cb799], ["friction", $c1993]]);
+const $c0a43 = [$c4ce1, $cb8a8, $cd10e, $ce384, $cca84, $c1057, $caa9e, $cb813, $c0aa1, $cfb99, $c9fcf, $c160f, $cb799, $c1993];
+const $c6433 = new Map([["kind", $c4ce1], ["condition", $cb8a8], ["provenance", $cd10e], ["condition_factor", $ce384], ["condition_source", $cca84], ["fit", $c1057], ["slip_includes", $caa9e], ["slip_speed_factor", $cb813], ["temperature_factor", $c0aa1], ["notes", $cfb99], ["tested_pressure", $c9fcf], ["tested_slip", $c160f], ["tested_slip_speed", $cb799], ["friction", $c1993]]);
 const $cacce = $made(tables$Table, $cc03e, [Constant, $c0a43, $c6433]);
 const $c152d = ["elastic-plastic"];
 const $c49c9 = $made(Choice, $ca793, [$c152d]);
@@ -8518,8 +8519,8 @@ const $c84cb = $made(Entry, $cc442, ["kind", $c49c9, true, "", "", "kind", ""]);
 const $c5ab6 = $made(Limit, $cf70d, ["pressure_per_length", 0.0, 1000000000000000.0, true, false]);
 const $cdc00 = $made(Quantity, $cd20a, ["pressure_per_length", $c5ab6]);
 const $c8647 = $made(Entry, $cc442, ["stiffness", $cdc00, true, "", "", "stiffness", ""]);
-const $c797c = [$c84cb, $cb8a8, $cd10e, $cca84, $c1057, $caa9e, $cb813, $c0aa1, $cfb99, $c9fcf, $c160f, $cb799, $c8647, $c1993];
-const $c1e9d = new Map([["kind", $c84cb], ["condition", $cb8a8], ["provenance", $cd10e], ["condition_source", $cca84], ["fit", $c1057], ["slip_includes", $caa9e], ["slip_speed_factor", $cb813], ["temperature_factor", $c0aa1], ["notes", $cfb99], ["tested_pressure", $c9fcf], ["tested_slip", $c160f], ["tested_slip_speed", $cb799], ["stiffness", $c8647], ["friction", $c1993]]);
+const $c797c = [$c84cb, $cb8a8, $cd10e, $ce384, $cca84, $c1057, $caa9e, $cb813, $c0aa1, $cfb99, $c9fcf, $c160f, $cb799, $c8647, $c1993];
+const $c1e9d = new Map([["kind", $c84cb], ["condition", $cb8a8], ["provenance", $cd10e], ["condition_factor", $ce384], ["condition_source", $cca84], ["fit", $c1057], ["slip_includes", $caa9e], ["slip_speed_factor", $cb813], ["temperature_factor", $c0aa1], ["notes", $cfb99], ["tested_pressure", $c9fcf], ["tested_slip", $c160f], ["tested_slip_speed", $cb799], ["stiffness", $c8647], ["friction", $c1993]]);
 const $c13aa = $made(tables$Table, $cc03e, [ElasticPlastic, $c797c, $c1e9d]);
 const $c5b99 = ["power"];
 const $c16e4 = $made(Choice, $ca793, [$c5b99]);
@@ -8527,8 +8528,8 @@ const $ca02c = $made(Entry, $cc442, ["kind", $c16e4, true, "", "", "kind", ""]);
 const $c79e4 = $made(Entry, $cc442, ["friction", $c47dc, true, "", "", "friction_coefficient", ""]);
 const $c8dc8 = $made(Entry, $cc442, ["reference_pressure", $c39ba, true, "", "", "reference_pressure", ""]);
 const $c41b9 = $made(Entry, $cc442, ["exponent", $c72ba, true, "", "", "exponent", ""]);
-const $cc0a4 = [$ca02c, $cb8a8, $cd10e, $cca84, $c1057, $caa9e, $cb813, $c0aa1, $cfb99, $c9fcf, $c160f, $cb799, $c79e4, $c8dc8, $c41b9];
-const $ca42f = new Map([["kind", $ca02c], ["condition", $cb8a8], ["provenance", $cd10e], ["condition_source", $cca84], ["fit", $c1057], ["slip_includes", $caa9e], ["slip_speed_factor", $cb813], ["temperature_factor", $c0aa1], ["notes", $cfb99], ["tested_pressure", $c9fcf], ["tested_slip", $c160f], ["tested_slip_speed", $cb799], ["friction", $c79e4], ["reference_pressure", $c8dc8], ["exponent", $c41b9]]);
+const $cc0a4 = [$ca02c, $cb8a8, $cd10e, $ce384, $cca84, $c1057, $caa9e, $cb813, $c0aa1, $cfb99, $c9fcf, $c160f, $cb799, $c79e4, $c8dc8, $c41b9];
+const $ca42f = new Map([["kind", $ca02c], ["condition", $cb8a8], ["provenance", $cd10e], ["condition_factor", $ce384], ["condition_source", $cca84], ["fit", $c1057], ["slip_includes", $caa9e], ["slip_speed_factor", $cb813], ["temperature_factor", $c0aa1], ["notes", $cfb99], ["tested_pressure", $c9fcf], ["tested_slip", $c160f], ["tested_slip_speed", $cb799], ["friction", $c79e4], ["reference_pressure", $c8dc8], ["exponent", $c41b9]]);
 const $ce558 = $made(tables$Table, $cc03e, [PressurePower, $cc0a4, $ca42f]);
 const $cb4ec = ["table"];
 const $cdb18 = $made(Choice, $ca793, [$cb4ec]);
@@ -8547,8 +8548,8 @@ const $c6913 = new Map([["pressure", $c9a39], ["friction", $cae06]]);
 const $cc58e = $made(tables$Table, $cc03e, [null, $ca57a, $c6913]);
 const $cf471 = $made(Rows, $ce552, [$cc58e, 1, 200]);
 const $c63ba = $made(Entry, $cc442, ["rows", $cf471, true, "", "rows = [{ pressure = \"100 kPa\", friction = [0.0, 0.4, 0.5] }], a friction for each slip", "rows", ""]);
-const $c64e9 = [$ce458, $cb8a8, $cd10e, $cca84, $c1057, $caa9e, $cb813, $c0aa1, $cfb99, $cb2cd, $c63ba];
-const $c1a55 = new Map([["kind", $ce458], ["condition", $cb8a8], ["provenance", $cd10e], ["condition_source", $cca84], ["fit", $c1057], ["slip_includes", $caa9e], ["slip_speed_factor", $cb813], ["temperature_factor", $c0aa1], ["notes", $cfb99], ["slip", $cb2cd], ["rows", $c63ba]]);
+const $c64e9 = [$ce458, $cb8a8, $cd10e, $ce384, $cca84, $c1057, $caa9e, $cb813, $c0aa1, $cfb99, $cb2cd, $c63ba];
+const $c1a55 = new Map([["kind", $ce458], ["condition", $cb8a8], ["provenance", $cd10e], ["condition_factor", $ce384], ["condition_source", $cca84], ["fit", $c1057], ["slip_includes", $caa9e], ["slip_speed_factor", $cb813], ["temperature_factor", $c0aa1], ["notes", $cfb99], ["slip", $cb2cd], ["rows", $c63ba]]);
 const $c4e17 = $made(tables$Table, $cc03e, [MeasuredTable, $c64e9, $c1a55]);
 const $c6696 = new Map([["integral-log", $c5f9b], ["constant", $cacce], ["elastic-plastic", $c13aa], ["power", $ce558], ["table", $c4e17]]);
 const $c4eae = $made(Variant, $c3ebe, ["kind", $c6696]);
