@@ -74,11 +74,7 @@ def test_a_narrow_terminal_wraps_and_breaks_no_table(monkeypatch: pytest.MonkeyP
     monkeypatch.setenv("COLUMNS", "60")
     ran = wraparc("solve", EXAMPLES / "head-drive-fabric.toml")
     assert max(map(len, lines(ran))) <= 60
-<<<<<<< HEAD
     assert re.search(r"Creep +11\.3 mm +max 6\.35 mm +178 % +ATTENTION", ran.out)
-=======
-    assert re.search(r"Creep at exit +11\.4 mm +at most 6\.35 mm +ATTENTION", ran.out)
->>>>>>> main
 
 
 def test_full_is_all_of_it_and_the_short_answer_says_so() -> None:
