@@ -126,8 +126,8 @@ class _Told(list[str]):
 
 
 def is_told(value: Mapping[str, Any]) -> bool:
-    """Whether it is a text that comes with its numbers."""
-    return "text" in value and ("cells" in value or "unit" in value)
+    """Whether it is a text that comes with its numbers; a verdict and its checks are none."""
+    return "text" in value and "level" not in value and ("cells" in value or "unit" in value)
 
 
 def _texts(value: Any) -> Iterator[str]:
