@@ -136,9 +136,9 @@ def test_a_drive_that_slips_is_offered_the_tension_of_the_standard(visitor: Visi
     page.fill("#f-pulley-0-entry_tension", "130")
     page.fill("#f-pulley-0-exit_tension", "4")
     button = page.locator("#verdict .act button")
-    expect(button).to_have_text("Raise T2 to 64 kN: 11.0 mm")
+    expect(button).to_have_text("Raise T2 to 64 kN: 11.2 mm")
     button.click()
-    expect(page.locator(".hub-number tspan").first).to_have_text("11.0")
+    expect(page.locator(".hub-number tspan").first).to_have_text("11.2")
     expect(page.locator("#f-pulley-0-entry_tension")).to_have_value("190")
 
 
