@@ -175,12 +175,19 @@ function tableHead(t) {
 /** @param {Table} t @param {TableRow} r */
 function tableRow(t, r) {
   const { symbols, notes } = columns(t);
+  const said = r.values.some((v) => tells(words(v), r));
   return h(
     "tr",
     { class: levelClass(r.level) },
     h("th", { scope: "row", title: app.form.glossary[r.name]?.meaning ?? r.name }, words(r.title)),
     symbols && h("td", { class: "sym" }, sign(r.symbol)),
-    r.values.map((v) => h("td", { class: "num" }, words(v))),
-    notes && h("td", { class: "remark" }, badge(r.level), " ", words(r.note)),
+    r.values.map((v) =>
+      h("td", { class: "num" }, tells(words(v), r) ? mark(words(v), r) : words(v)),
+    ),
+    notes && h("td", { class: "remark" }, said ? null : badge(r.level), " ", words(r.note)),
   );
 }
+/** Whether a value is the level of its row. @param {string} text @param {TableRow} r */
+const tells = (text, r) => Boolean(r.level) && (text === r.level || text.startsWith(`${r.level} `));
+/** @param {string} text @param {TableRow} r */
+const mark = (text, r) => badge(r.level, text === r.level ? undefined : text);
