@@ -254,9 +254,7 @@ def test_pictures_and_words_of_a_run_and_of_a_follower() -> None:
     found = stability(motion.station)
     verdict = shown(stability_sheet(found), "si").verdict
     assert verdict is not None
-    assert verdict.text.startswith(
-        "Self-excited oscillation at 2.78 Hz, doubling time "
-    )
+    assert verdict.text.startswith("Self-excited oscillation at 2.78 Hz, doubling time ")
     assert "damping" in verdict.sentences[0]
     assert plot_stability(found).to_bytes("png")[:4] == b"\x89PNG"
     assert plot_stability_map(stability_map(motion.station, points=4)).to_bytes("png")

@@ -239,4 +239,4 @@ def test_a_map_of_each_quantity_and_a_slack_belt(visitor: Visitor) -> None:
     page.click("#shape-side")
     settled(page)
     told = page.locator("#across-result .verdict").first
-    expect(told).to_contain_text("goes slack: it lacks")
+    expect(told).to_contain_text("the strip lacks")

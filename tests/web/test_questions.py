@@ -1,6 +1,7 @@
 """What is asked beside the answer: the sentences and tables of the command line."""
 
 import base64
+import re
 import tomllib
 from collections.abc import Iterator
 from pathlib import Path
@@ -205,7 +206,9 @@ def test_a_choice_is_made_and_alarm_levels_stand_on_the_page(visitor: Visitor) -
 
 
 def cells(card: Locator) -> list[str]:
-    return card.locator("table").first.locator("td.num").all_inner_texts()
+    """Return the values of a table, levels without their sign."""
+    texts = card.locator("table").first.locator("td.num").all_inner_texts()
+    return [re.sub("^[✓▲✕] ", "", text) for text in texts]
 
 
 def test_wet_worn_and_bare_stand_side_by_side_on_the_page(visitor: Visitor) -> None:

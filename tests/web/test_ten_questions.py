@@ -67,9 +67,10 @@ def printed(*command: str) -> str:
 
 
 def cells(table: Locator) -> list[str]:
-    """Return the numbers of a table."""
+    """Return the numbers of a table, levels without their sign."""
     expect(table).to_be_attached()
-    return [words(text) for text in table.locator("td.num").all_text_contents()]
+    texts = [words(text) for text in table.locator("td.num").all_text_contents()]
+    return [re.sub("^[✓▲✕] ", "", text) for text in texts]
 
 
 def assert_told(numbers: list[str], out: str) -> None:
