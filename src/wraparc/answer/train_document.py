@@ -6,11 +6,12 @@ from typing import Any
 
 from wraparc.answer.checks_table import verdict_document
 from wraparc.answer.least_tension import least_data
-from wraparc.answer.sheet import shown
 from wraparc.answer.train_words import matching_verdict
+from wraparc.answer.verdict_data import verdict_object
 from wraparc.answer.words import action_of
 from wraparc.checks import TRAIN_BALANCE, judge
 from wraparc.train import CaseResult, Matching, MemberResult, ShareCurve, ShareMap, TrainResult
+from wraparc.units import in_units
 from wraparc.version import __version__
 
 Data = dict[str, Any]
@@ -32,10 +33,10 @@ def matching_document(
 ) -> Data:
     """Return how the drives of a train must be matched."""
     return {
-        "format": 1,
+        "format": 2,
         "program": {"name": "wraparc", "version": __version__},
         "file": file,
-        "verdict": _verdict_data(shown(matching_verdict(result, matching), "si")),
+        "verdict": verdict_object(matching_verdict(result, matching), in_units),
         "drive": matching.case.members[matching.drive].name,
         "load_case": _case_data(matching.case),
         "equal_shares": _case_data(matching.equal),
@@ -66,14 +67,6 @@ def curve_csv(curve: ShareCurve) -> str:
     ):
         out.writerow([f"{v + 0.0:.9g}" for v in (value, *shares, *creeps, loss)])
     return page.getvalue()
-
-
-def _verdict_data(told: Any) -> Data:
-    return {
-        "level": told.level.value,
-        "text": told.text,
-        "sentences": list(told.sentences),
-    }
 
 
 def _case_data(case: CaseResult) -> Data:

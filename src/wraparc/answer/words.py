@@ -103,9 +103,9 @@ def under(own: Verdict, drive: Verdict) -> Verdict:
         first, second = drive, own
     level = max(own.level, drive.level, key=lambda of: of.rank)
     missed = second.level.rank > Level.OK.rank
-    also = (Also(second.level, second.text, second.check), *second.also) if missed else ()
     told = {_subject(check) for check in (first.check, *(o.check for o in first.also)) if check}
-    also = tuple(other for other in also if _subject(other.check) not in told)
+    others = (other for other in second.also if _subject(other.check) not in told)
+    also = (Also(second.level, second.text, second.check), *others) if missed else ()
     return replace(
         first,
         level=level,

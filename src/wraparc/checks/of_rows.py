@@ -20,7 +20,7 @@ from wraparc.batch.scaled import solve_scaled
 from wraparc.batch.sliding import slides_of, wet_creeps
 from wraparc.checks.check import Level, keeps, margin_to
 from wraparc.checks.design_standard import wrap_factors
-from wraparc.checks.numbers import KIND_STEP, MOST_USED, Sizes, compared_sizes, kind_of
+from wraparc.checks.numbers import ALIKE, KIND_STEP, MOST_USED, Sizes, compared_sizes, kind_of
 from wraparc.checks.of_arc import (
     COVER_CREEP,
     DESIGN_STANDARD,
@@ -423,7 +423,8 @@ def _orders(check: RowCheck) -> Array:
     kind = np.where(fails, kind_of(name, True), kind_of(name, False))
     used = used_of_rows(check.margin, at_most=check.rule.at_most)
     shares = np.where(np.isfinite(used), np.minimum(used, MOST_USED), MOST_USED)
-    alone = np.where(np.isfinite(used), -used, math.inf)
+    shares = np.floor(shares / ALIKE + 0.5) * ALIKE
+    alone = np.where(np.isfinite(used), -shares, math.inf)
     return np.where(missed, kind * KIND_STEP - shares, alone)
 
 
