@@ -112,7 +112,8 @@ def test_the_json_of_a_train_has_the_verdict_on_the_train(tmp_path: Path) -> Non
     assert told["verdict"] == told["train"]["verdict"]
     assert told["least_tension"] == told["train"]["least_tension"]
     checks = [check["name"] for check in told["arcs"][0]["checks"]]
-    assert checks[0] == told["verdict"]["name"] == "opposing_drives"
+    assert told["verdict"]["name"] == "creep"
+    assert checks[0] == "opposing_drives"
     dry, wet = told["conditions"]
     assert wet["text"] == lead
     assert "opposing_drives" in dry["checks"]

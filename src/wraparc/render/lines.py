@@ -138,7 +138,7 @@ def _table(table: Table, width: int) -> Iterator[str]:
 
 
 def _fitted(columns: list[list[str]], first_value: int, has_notes: bool, room: int) -> list[int]:
-    """Return the widths of columns: heads give way first, then notes, titles, and the widest."""
+    """Return the widths of columns: heads give way first, then notes, titles, and words before numbers."""
     widths = [max(map(_cells, column)) for column in columns]
     last = len(columns) - 1
     order = [
@@ -148,7 +148,9 @@ def _fitted(columns: list[list[str]], first_value: int, has_notes: bool, room: i
     order += [(last, _LEAST_NOTE)] if has_notes else []
     order += [(0, _LEAST_TITLE)]
     words = [(i, max(1, _longest_word(column))) for i, column in enumerate(columns)]
-    order += sorted(words, key=lambda column: -widths[column[0]])
+    numbers = range(first_value, len(columns) - has_notes)
+    short = {i for i in numbers if widths[i] <= _LEAST_TITLE}
+    order += sorted(words, key=lambda column: (column[0] in short, -widths[column[0]]))
     excess = sum(widths) + _GAP * last - room
     for column, least in order:
         given = min(max(0, widths[column] - least), max(0, excess))
