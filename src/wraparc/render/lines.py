@@ -138,7 +138,7 @@ def _table(table: Table, width: int) -> Iterator[str]:
 
 
 def _fitted(columns: list[list[str]], first_value: int, has_notes: bool, room: int) -> list[int]:
-    """Return the widths of columns: heads give way first, then notes, titles, and words before numbers."""
+    """Return the widths: heads give way first, then notes, titles, and words before numbers."""
     widths = [max(map(_cells, column)) for column in columns]
     last = len(columns) - 1
     order = [
