@@ -171,7 +171,7 @@ def test_a_lagging_that_is_down_already_is_not_said_to_heal() -> None:
 
 
 def test_the_load_case_that_governs_stands_first() -> None:
-    """The start creeps 12.9 mm at its worst strip, the running case before it 8.88 mm."""
+    """The start creeps 12.9 mm at its worst strip, the running case before it 8.98 mm."""
     of = load_drive(EXAMPLES / f"{FABRIC}.toml")
     (case,) = of.load_cases
     start = replace(

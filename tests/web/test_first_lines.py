@@ -320,7 +320,7 @@ def test_a_server_that_is_gone_is_told_once_below_what_the_page_solves(
     visitor.solved()
     gone(page)
     # the page solves and judges this itself: it is an answer, and no old one
-    expect(page.locator(".hub-number tspan").first).to_have_text("5.43")
+    expect(page.locator(".hub-number tspan").first).to_have_text("5.53")
     expect(page.locator("#verdict p")).to_contain_text("OK: ")
     expect(page.locator(".foot-line .gone")).to_be_visible()
     back(page)

@@ -138,7 +138,7 @@ def test_the_whole_answer_is_one_press_away(long_visit: Visitor, view: str) -> N
     expect(tables.first).to_be_visible()
     if view == "across":  # the strip that comes off worst: one number wherever it is said
         for place in (".say p", ".list li >> nth=0", ".t-checks"):
-            expect(page.locator(f"#across {place}")).to_contain_text("8.88 mm")
+            expect(page.locator(f"#across {place}")).to_contain_text("8.98 mm")
         assert len(page.locator("#across .say p").inner_text().split()) <= 15 + 1  # and its level
 
 
