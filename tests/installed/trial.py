@@ -29,7 +29,7 @@ from zipfile import ZipFile
 
 DRIVE, CASE = "head-drive-fabric.toml", ("--load-case", "design")
 #: Its creep at exit in that load case [m].
-CREEP = 7.37728e-3
+CREEP = 7.49273e-3
 
 
 def wraparc(*arguments: object) -> None:
