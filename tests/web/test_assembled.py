@@ -1,6 +1,7 @@
 """What the page puts together itself is what the server prepares: every choice of the form."""
 
 import random
+from collections.abc import Callable
 from copy import deepcopy
 from typing import Any
 
@@ -10,13 +11,15 @@ from web.test_in_page import DRIVES
 from web.test_judging import apart, in_node, told
 from wraparc import catalogue
 from wraparc.errors import InputError
-from wraparc.web.answers.documents import read
+from wraparc.web.answers.documents import json_like, read
 from wraparc.web.answers.form import form
+from wraparc.web.examples import examples
 
 Data = dict[str, Any]
 #: What only the program itself solves.
 BEYOND = {"uphill-conveyor", "worn-head-drive-fabric", "worn-head-drive-steel-cord"}
 SHIPPED = {name: document for name, document in DRIVES.items() if name not in BEYOND}
+TRAINS = {e.name: json_like(e.document) for e in examples() if "train" in e.document}
 DRAWN = 60
 
 
@@ -201,6 +204,16 @@ def test_tensions_that_do_not_fix_the_load_are_refused_in_the_same_words(
     assert [p["sentence"] for p in found["problems"]] == list(map(str, refused.value.problems))
 
 
+def test_what_load_cases_have_of_the_train_is_refused_once() -> None:
+    # expected: the sentence of the program, which names the table that gives it
+    document = deepcopy(TRAINS["tandem-fabric"])
+    document["train"]["share"] = ["50 %", "50.001 %"]
+    (found,) = assembled([document])
+    assert [p["sentence"] for p in found["problems"]] == sentences(document)
+    assert found["problems"][0]["path"] == "train.share"
+    assert len(found["problems"]) == 1
+
+
 JUNK: list[Any] = [
     None,
     [],
@@ -232,10 +245,22 @@ def spoilt(document: Data, pick: random.Random) -> Data:
         node = inner
 
 
-def test_junk_is_refused_in_the_same_sentences() -> None:
+def some_train(pick: random.Random) -> Data:
+    """Return a train of shipped ones, with load cases that replace a part of its table."""
+    document = deepcopy(TRAINS[pick.choice([*TRAINS])])
+    document.pop("motion", None)  # which the server alone reads
+    cases = document.setdefault("load_case", [])
+    cases += [{"name": f"case {i}", "train": {"effective_tension": "40 kN"}} for i in range(2)]
+    return document
+
+
+@pytest.mark.parametrize(("some", "most"), [(some_drive, 250), (some_train, 150)])
+def test_junk_is_refused_in_the_same_sentences(
+    some: Callable[[random.Random], Data], most: int
+) -> None:
     # expected: the program's reader, sentence by sentence, of 400 documents; it takes the others
     pick = random.Random(3)  # noqa: S311 - documents to try, no secrets
-    documents = [spoilt(some_drive(pick), pick) for _ in range(400)]
+    documents = [spoilt(some(pick), pick) for _ in range(400)]
     wrong: dict[int, Any] = {}
     refused = 0
     for i, (document, found) in enumerate(zip(documents, assembled(documents), strict=True)):
@@ -245,7 +270,7 @@ def test_junk_is_refused_in_the_same_sentences() -> None:
         if told != expected and not steep(found):
             wrong[i] = told, expected
     assert wrong == {}
-    assert refused > 250
+    assert refused > most
 
 
 def sentences(document: Data) -> list[str]:

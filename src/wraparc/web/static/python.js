@@ -190,8 +190,14 @@ export function $eq(a, b) {
   return a.constructor === b.constructor && Boolean(fields) && fields.every((f) => $eq(a[f], b[f]));
 }
 const isMap = (of) => of instanceof Map || of instanceof WeakMap;
+/** A key as a dict has it: a tuple is an array here, which JavaScript knows by identity alone.
+ * @param {any} of @param {any} key */
+const keyIn = (of, key) =>
+  Array.isArray(key) && of.keys
+    ? ([...of.keys()].find((known) => Array.isArray(known) && $eq(known, key)) ?? key)
+    : key;
 export const $in = (x, of) => {
-  if (isMap(of) || of instanceof Set) return of.has(x);
+  if (isMap(of) || of instanceof Set) return of.has(keyIn(of, x));
   if (typeof of === "string") return of.includes(x);
   return [...of].some((y) => $eq(x, y));
 };
@@ -217,16 +223,17 @@ export const $common = (a, b) =>
 const letters = (text) => (/[\ud800-\udfff]/.test(text) ? [...text] : text);
 export function $at(of, key) {
   if (isMap(of)) {
-    if (!of.has(key) && of instanceof Counts) return 0;
-    if (!of.has(key)) throw new $KeyError(key);
-    return of.get(key);
+    const own = keyIn(of, key);
+    if (!of.has(own) && of instanceof Counts) return 0;
+    if (!of.has(own)) throw new $KeyError(key);
+    return of.get(own);
   }
   const found =
     typeof of === "string" ? letters(of) : (of.$found ?? (Array.isArray(of) ? of : [...of]));
   return typeof key === "number" ? (found.at(key) ?? null) : (found.groups?.[key] ?? null);
 }
 export const $put = (of, key, value) => {
-  if (isMap(of)) of.set(key, value);
+  if (isMap(of)) of.set(keyIn(of, key), value);
   else of[key < 0 ? of.length + key : key] = value;
 };
 export const $slice = (of, from, to) => {
@@ -426,18 +433,18 @@ const METHODS = {
     );
   },
   // dicts, sets and lists
-  get: (x, key, other = null) => (x.has(key) ? x.get(key) : other),
+  get: (x, key, other = null) => ($in(key, x) ? $at(x, key) : other),
   items: (x) => [...x],
   keys: (x) => new Set(x.keys()),
   values: (x) => [...x.values()],
   setdefault: (x, key, other) => {
-    if (!x.has(key)) x.set(key, other);
-    return x.get(key);
+    if (!$in(key, x)) $put(x, key, other);
+    return $at(x, key);
   },
   pop: (x, key, other) => {
     if (Array.isArray(x)) return key === undefined ? x.pop() : x.splice(key, 1)[0];
-    const found = x.has(key) ? x.get(key) : other;
-    x.delete(key);
+    const found = $in(key, x) ? $at(x, key) : other;
+    x.delete(keyIn(x, key));
     return found;
   },
   update: (x, more) => {
