@@ -9,10 +9,11 @@ from wraparc.across import across_of
 from wraparc.alike import alike
 from wraparc.answer.across_tables import across_data, compared_table
 from wraparc.answer.least_tension import at_least, least_name, shown_least
-from wraparc.answer.sheet import NONE, Row, Sheet, Table, named, percent, row_of
-from wraparc.answer.words import alone, format_verdict, short, stated_action
+from wraparc.answer.sheet import NONE, Row, Sheet, Table, Verdict, named, percent, row_of
+from wraparc.answer.words import action_of, alone, format_verdict, short
 from wraparc.arc import ArcResult, DriveResult, WrapArc
-from wraparc.checks import judge, least_tension
+from wraparc.checks import Level, Place, judge, least_tension
+from wraparc.checks import Verdict as Judgement
 from wraparc.choose.what_if import WhatIf
 from wraparc.glossary import GLOSSARY
 from wraparc.train import TrainResult
@@ -39,6 +40,8 @@ _TENSIONS = frozenset({"entry_tension", "exit_tension", "effective_tension"})
 _FAILED = frozenset(_SHOWN) - _TENSIONS - {"creep_limit_capacity", "equivalent_friction"}
 #: parts of the creep that change less than this share of it are not told
 _WORTH_TELLING = 0.02
+#: part of the creep by which it differs where it is the same
+_NO_EFFECT = 1e-3
 
 
 def what_if_sheet(found: WhatIf, title: str) -> Sheet:
@@ -63,21 +66,10 @@ def what_if_sheet(found: WhatIf, title: str) -> Sheet:
     rows.append(Row(f"Minimum {least_name(wholes[0])}", least, note=note))
     rows += _standards(wholes)
     across = compared_table(_by_itself(found), heads)
-    as_is = judge(wholes[0])
-    sentences: list[str] = []
-    kept: list[str] = []
-    for change, after_it, after in zip(found.changes, wholes[1:], found.after, strict=True):
-        missed = [*_missed(found, after_it)]
-        why = [*_reasons(found, after_it, after)]
-        sentences += [f"{change.title}: {s}" for s in (*missed, *why)]
-        kept += [f"{change.title}: {s}" for s in (*missed, *why[:1])]
     return Sheet(
         title=title,
         subtitle=f"Pulley {found.pulley}, load case {found.load_case}, before and after.",
-        verdict=replace(
-            format_verdict(as_is, (_headline(found), *sentences), stated_action(as_is)),
-            kept=(_headline(found), *kept),
-        ),
+        verdict=_verdict(found),
         tables=(
             Table("Before and after", tuple(rows), heads, name="changes"),
             *([across] if across else []),
@@ -85,6 +77,42 @@ def what_if_sheet(found: WhatIf, title: str) -> Sheet:
         remarks=tuple(f"{c.title}: {c.note}" for c in found.changes if c.note),
         kept=(),
     )
+
+
+def _verdict(found: WhatIf) -> Verdict:
+    """Return the verdict on the drive as it is, with what each change comes to."""
+    now, sentences, changes = found.wholes[0], list[str](), list[str]()
+    for change, whole, after in zip(found.changes, found.wholes[1:], found.after, strict=True):
+        changes.append(f"{change.title}: {_outcome(found, whole, after)}.")
+        why = (*_missed(found, whole), *_reasons(found, whole, after))
+        sentences += [f"{change.title}: {sentence}" for sentence in why]
+    return replace(
+        format_verdict(judge(now), sentences, action_of(now)),
+        changes=tuple(changes),
+        checks_at="wraparc solve",
+    )
+
+
+def _outcome(found: WhatIf, whole: Whole, after: ArcResult) -> str:
+    """Return what a change comes to: the creep, and whether the whole drive passes with it."""
+    judged, before = judge(whole), judge(found.wholes[0])
+    worst = judged.governing
+    if worst is not None and worst.missed and not after.status.solved:
+        return f"{worst.level} {worst.label}"
+    creep = named("exit_creep", abs(after.exit_creep))
+    moved = abs(after.exit_creep - found.before.exit_creep)
+    if moved <= _NO_EFFECT * abs(after.exit_creep) and _misses(before) == _misses(judged):
+        return f"creep {creep}, no effect"
+    if worst is None or not worst.missed:
+        return f"creep {creep}, passes"
+    if worst.name == "creep" and worst.place[:2] == (found.pulley, found.load_case):
+        value, limit = worst.texts()
+        return f"creep {value} exceeds the {limit} limit"
+    return f"creep {creep}, {worst.level} {worst.label}"
+
+
+def _misses(judged: Judgement) -> set[tuple[str, Place, Level]]:
+    return {(check.name, check.place, check.level) for check in judged.missed}
 
 
 def _standards(wholes: Sequence[Whole]) -> Iterator[Row]:
@@ -111,31 +139,6 @@ def _missed(found: WhatIf, whole: Whole) -> Iterator[str]:
             yield f"{check.level}: {check.text}"
 
 
-def _headline(found: WhatIf) -> str:
-    parts = []
-    after_each = zip(found.changes, found.wholes[1:], found.drives[1:], found.after, strict=True)
-    for change, whole, result, after in after_each:
-        creep = named("exit_creep", after.exit_creep)
-        shown = creep if after.status.solved else short(result, after)
-        parts.append(f"{change.title} {shown}{_worse(found, whole)}")
-    before = "gross slip"
-    if found.before.status.solved:
-        before = named("exit_creep", found.before.exit_creep)
-    of = ""
-    drive = found.drives[0].drive
-    if len(drive.pulleys) > 1 or len(drive.load_cases) > 1:
-        of = f" of pulley {found.pulley}, load case {found.load_case}"
-    return f"{GLOSSARY['exit_creep'].title}{of}: now {before}; {'; '.join(parts)}."
-
-
-def _worse(found: WhatIf, whole: Whole) -> str:
-    """Say in brackets where a change makes the verdict on the whole drive worse."""
-    judged = judge(whole)
-    if judged.governing is None or judged.level.rank <= judge(found.wholes[0]).level.rank:
-        return ""
-    return f" ({judged.level}: {judged.governing.label})"
-
-
 def reasons(before: ArcResult, after: ArcResult, several: bool = False) -> Iterator[str]:
     """Yield why a result differs from another, from the largest part of the creep down.
 
@@ -143,10 +146,10 @@ def reasons(before: ArcResult, after: ArcResult, several: bool = False) -> Itera
     """
     yield from _tension_words(before.arc, after.arc, several)
     if not after.status.solved:
-        yield "no creep carries its pull."
+        yield "gross slip: the pulley cannot transmit Te."
         return
     if not before.status.solved:
-        yield "it carries the load, which it did not before."
+        yield "the pulley transmits Te, which it did not before."
         return
     told = sorted(_parts(before, after), key=lambda part: -part[0])
     floor = _WORTH_TELLING * abs(before.exit_creep)
@@ -155,7 +158,7 @@ def reasons(before: ArcResult, after: ArcResult, several: bool = False) -> Itera
 
 
 def _tension_words(before: WrapArc, after: WrapArc, several: bool) -> Iterator[str]:
-    """Yield what pull a change of tensions implies: a take-up alone does not change the pull."""
+    """Yield which Te a change of tensions implies: a take-up alone does not change it."""
 
     def of(name: str, arc: WrapArc) -> str:
         return named(name, getattr(arc, name))
@@ -169,16 +172,16 @@ def _tension_words(before: WrapArc, after: WrapArc, several: bool) -> Iterator[s
     pulls = [of("effective_tension", arc) for arc in (before, after)]
     told = f"with {' and '.join(changes)}"
     if pulls[0] == pulls[1]:
-        yield f"{told} the pull stays at {pulls[0]}."
+        yield f"{told} Te stays at {pulls[0]}."
         return
     if several:
-        yield f"{told} the pull goes from {pulls[0]} to {pulls[1]}: the load divides anew."
+        yield f"{told} Te goes from {pulls[0]} to {pulls[1]}: the load is divided anew."
         return
-    held = {"entry_tension": "T2", "exit_tension": "T1"}[moved[0]] if len(moved) == 1 else ""
-    other = f", {held} held," if held else ""
+    fixed = {"entry_tension": "T2", "exit_tension": "T1"}[moved[0]] if len(moved) == 1 else ""
+    other = f", {fixed} constant," if fixed else ""
     yield (
-        f"{told}{other} the pull T1 - T2 goes from {pulls[0]} to {pulls[1]}; a take-up alone "
-        "leaves the pull as it is and moves T1 and T2 alike."
+        f"{told}{other} Te = T1 - T2 goes from {pulls[0]} to {pulls[1]}; a take-up alone "
+        "leaves Te unchanged and moves T1 and T2 alike."
     )
 
 
