@@ -84,8 +84,11 @@ def _verdict(found: FieldNumbers, drive: Verdict, pulley: str) -> Verdict:
 
 def _action(found: FieldNumbers, drive: Verdict) -> Action | None:
     """Return what to do: about a drive that alarms; else the layers of the belt, where missing."""
-    if found.shown or (drive.action and found.alarms_at(found.worst_seen)):
+    alarms = found.alarms_at(found.worst_seen)
+    if alarms and drive.action:
         return None
+    if found.shown:
+        return Action("Set each load case's own alarm level (--table levels).") if alarms else None
     belt, points = quantity(2.0 * USUAL_OFFSET, "length"), 200.0 * USUAL_OFFSET / found.diameter
     return Action(f"{LAYERS}: {belt} of belt shifts all by {points:.2f} points.")
 

@@ -41,7 +41,8 @@ def verdict(result: DriveResult, *, search: bool = True) -> Verdict:
 def whole_verdict(result: "DriveResult | TrainResult", *, search: bool = True) -> Verdict:
     """Return the verdict on a drive or train, to stand under the answer to another question."""
     judged = judge(result)
-    return format_verdict(judged, judged.full, action_of(result, search=search))
+    told = format_verdict(judged, judged.full, action_of(result, search=search))
+    return replace(told, checks_at="wraparc solve")
 
 
 def action_of(result: "DriveResult | TrainResult", *, search: bool = True) -> Action | None:

@@ -5,6 +5,7 @@ import click
 from wraparc.cli.answer import Answer, answers
 from wraparc.cli.options import place_options
 from wraparc.cli.output import Content
+from wraparc.cli.solve import code_told
 from wraparc.errors import placed
 from wraparc.units import parse_number
 
@@ -14,7 +15,7 @@ from wraparc.units import parse_number
     "--ratios",
     required=True,
     metavar="R1,R2,...",
-    help="Tight-side over slack-side tensions: 1.5,2,3. The tight side stays as it is.",
+    help="Tight-side over slack-side tensions: 1.5,2,3. The tight side stays constant.",
 )
 @place_options
 @answers(
@@ -27,7 +28,7 @@ def family(
 ) -> int:
     """Show how creep grows along the wrap as the tension ratio of a drive FILE is raised.
 
-    One curve for each ratio, creep over wrap angle, with the tight side held at its tension.
+    One curve for each ratio, creep over wrap angle, with a constant tight-side tension.
     """
     from wraparc.answer.family_sheet import family_document, family_sheet
     from wraparc.arc import WrapArc
@@ -51,5 +52,6 @@ def family(
         return plot_family(results, answer.units, title=f"{title} - {where}").save
 
     answer.write("plot", picture)
-    answer.give(lambda: family_sheet(drive, results, title), lambda: family_document(results))
-    return 0 if all(r.status.solved for r in results) else 1
+    told = family_sheet(drive, results, title)
+    answer.give(lambda: told, lambda: family_document(results))
+    return code_told(told)
