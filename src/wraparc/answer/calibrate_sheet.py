@@ -99,9 +99,8 @@ def _verdict(found: Calibration, problem: Problemset) -> Verdict:
     more = (*apart, *covered, *_mixed_words(found))
     if untold:
         names = ", ".join(n.replace("_", " ") for n in untold)
-        action = Action("Give a prior, fix some parameters, or measure another quantity.")
         return Verdict(
-            Level.ATTENTION, f"Not identified: {names}.", more, action=action, data=_DATA,
+            Level.ATTENTION, f"Not identified: {names}.", more, action=_MORE_DATA, data=_DATA,
             name="calibrate",
         )  # fmt: skip
     count = len(found.estimates)
@@ -117,6 +116,7 @@ def _verdict(found: Calibration, problem: Problemset) -> Verdict:
 
 #: What a calibration is worth, whatever its inputs.
 _DATA = "Inputs assumed: no validation."
+_MORE_DATA = Action("Give a prior, fix some parameters, or measure another quantity.")
 _COVER = "State slip_includes in the lagging."
 #: Parameters that the sentence names, at most, and their words in it.
 _NAMED = 2

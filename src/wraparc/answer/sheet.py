@@ -213,21 +213,19 @@ class Verdict:
             other.text if other.level is self.level else f"{other.level}: {other.text}"
             for other in self.also
         ]
-        room = min(room - len(changes), MOST_ALSO + (len(also) > MOST_ALSO))
-        return (*action, *changes, *_lines_of("Also", also, room, self.checks_at), *last)
+        further = _lines_of("Also", also, room - len(changes), self.checks_at, MOST_ALSO)
+        return (*action, *changes, *further, *last)
 
 
-def _lines_of(label: str, texts: Sequence[str], most: int, rest: str) -> list[tuple[str, str]]:
-    """Return so many lines at most, the last with how many more there are and where."""
-    if len(texts) <= most:
+def _lines_of(
+    label: str, texts: Sequence[str], room: int, rest: str, most: int = 1000
+) -> list[tuple[str, str]]:
+    """Return the first texts, at most so many, and in the last line how many more there are."""
+    if len(texts) <= min(room, most):
         return [(label, text) for text in texts]
-    if most < 1:
-        return []
-    first = texts[: most - 1]
-    return [
-        *((label, text) for text in first),
-        (label, f"{len(texts) - len(first)} more ({rest})."),
-    ]
+    first = texts[: max(0, min(room - 1, most))]
+    more = [(label, f"{len(texts) - len(first)} more ({rest}).")] if room > 0 else []
+    return [*((label, text) for text in first), *more]
 
 
 #: How many lines a first screen has above its tables, and how many further sentences.
