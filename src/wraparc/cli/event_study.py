@@ -19,9 +19,9 @@ from wraparc.study.event_study import EventStudy, load_event_study
 
 def over_an_event(file: str) -> bool:
     """Whether a study file follows an event in time."""
-    from wraparc.schema.source import parse, read_text
+    from wraparc.schema.file_kinds import parse_kind
 
-    return "event" in parse(read_text(file), file)
+    return "event" in parse_kind(file, "study")
 
 
 def event_study(

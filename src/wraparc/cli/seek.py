@@ -32,7 +32,7 @@ def seek(answer: Answer, file: str, settings: tuple[str, ...], **goal: str | Non
     from wraparc.study.seek import seek as search
     from wraparc.train.keys import TRAIN_FILE
 
-    document = read_document(file, settings, TRAIN_FILE)
+    document = read_document(file, settings, TRAIN_FILE, "drive")
     wanted = Goal(**{key: text or "" for key, text in goal.items()})
     found = search(document, wanted, file=file, folder=dirname(file), allow_paths=True)
     title = str(document.get("title") or "Goal seek")
