@@ -44,10 +44,11 @@ build_up = []
 misalignment = "2 mm/m"
 deflection = "0.3 mm"
 entry_profile = [["-500 mm", "-2 kN/m"], ["500 mm", "2 kN/m"]]
-before = { kind = "transition", length = "2.9 m", trough_angle = "35 deg", centre_roll = "465 mm", depth = "half" }
+before = { kind = "transition", length = "2.9 m", trough_angle = "35 deg", centre_roll = "465 "
+    "mm", depth = "half" }
 after = { kind = "pulley", distance = "1.5 m" }
 strips = 24
-"""  # noqa: E501
+"""
 
 
 def test_a_whole_table_is_read_and_written() -> None:
@@ -280,7 +281,7 @@ def test_the_command_line_tells_and_draws(tmp_path: Path, monkeypatch: pytest.Mo
     assert ran.code == 0
     for words in (
         "Across the width: pulley head, load case design",
-        "Largest tension at standstill",
+        "Maximum tension at standstill",
         "Levelling depth, modes 1 to 4",
         "Share of each defect",
         "Worn lagging",

@@ -537,7 +537,7 @@ def test_interval_of_a_fitted_law_is_left_to_the_program_and_told(
 @pytest.mark.parametrize(
     ("change", "says"),
     [
-        (('exit_tension = "60 kN"', 'exit_tension = "150 kN"'), "pulley head has no pull to carry"),
+        (('exit_tension = "60 kN"', 'exit_tension = "150 kN"'), "pulley head transmits no Te"),
         (('diameter = "800 mm"', 'diameter = "80 mm"'), ""),  # it is asked about, as by solve
         (("3 m/s", "3 m/s"), ""),
     ],

@@ -188,7 +188,7 @@ def varied_table(data: Mapping[str, Any]) -> Iterator[Table]:
     ]
     if rows:
         heads = ("field of the drive file", "values")
-        yield Table("What is varied", tuple(rows), heads, name="varied")
+        yield Table("Variables", tuple(rows), heads, name="varied")
 
 
 def _spread(axis: Mapping[str, Any]) -> str:

@@ -214,7 +214,7 @@ def not_judged(document: Document) -> str:
     except InputError:  # not solved: the page says so itself
         return ""
     reasons = [
-        f"pulley {name} has no pull to carry in load case {case.name}"
+        f"pulley {name} transmits no Te in load case {case.name}"
         for case in one.load_cases
         for name, pair in case.tensions.items()
         if idles(pair.entry, pair.exit)

@@ -34,7 +34,7 @@ _COLUMNS = (
     ("peak_shear_stress", GLOSSARY["peak_shear_stress"].title, "low"),
     ("peak_shear_angle", GLOSSARY["peak_shear_angle"].title, "low"),
     ("margin", GLOSSARY["creep_limit_margin"].title, "high"),
-    ("least_slack", "Least slack-side tension, all checks", "low"),
+    ("least_slack", "Minimum T2, all checks", "low"),
     ("power_loss", GLOSSARY["power_loss"].title, "low"),
     ("outside", "Share outside tested range", "low"),
     ("cost_lagging", "Lagging over the years", "low"),
@@ -352,7 +352,7 @@ def _meaning(key: str) -> str:
     names = {"creep": "exit_creep", "margin": "creep_limit_margin", "of_limit": "creep_limit"}
     names |= {"outside": "outside_tested_share"}
     if key == "least_slack":
-        return "Least slack-side tension with which every check that it helps passes."
+        return "Minimum T2 with which every check that a higher T2 helps passes."
     entry = GLOSSARY.get(names.get(key, key))
     return entry.meaning if entry else ""
 

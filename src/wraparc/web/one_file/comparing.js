@@ -34,7 +34,7 @@ export async function compared({ document: doc, load_case, what }, data) {
   for (const { name, changed, change, judging } of arcs) {
     const numbers = await beside(arcsOf(judging));
     if (numbers) rows.push(rowOf(name, what, judge(judging, changed, numbers), shown, change, doc));
-    else not_possible.push({ name, problems: [{ path: "", message: "no answer was found" }] });
+    else not_possible.push({ name, problems: [{ path: "", message: "no result" }] });
   }
   const { columns, remarks } = data.compare;
   return {

@@ -84,7 +84,7 @@ export const Page = () => [
     "p",
     { class: "help", key: "help" },
     "The drive of the first page, everything else unchanged. ",
-    "Press a heading to sort, a star to keep a row on top; " +
+    "Press a heading to sort, a star to fix a row on top; " +
       "bold is best among the rows that are OK.",
   ),
   bar(),

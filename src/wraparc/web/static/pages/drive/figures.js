@@ -22,7 +22,7 @@ function quickFigures(arc) {
     {
       name: "Tension ratio T1/T2",
       value: digits(n.tension_ratio),
-      small: `pull ${shown("effective_tension", n.effective_tension)}`,
+      small: `Te ${shown("effective_tension", n.effective_tension)}`,
     },
     { name: "Mean friction", value: digits(n.mean_friction), small: "over the whole wrap" },
     {
@@ -59,20 +59,20 @@ function lateFigures(arc) {
         value: words(found.shown),
         small:
           words(found.shown) === "none"
-            ? "no tension keeps every check"
-            : "every check passes that it helps",
+            ? "no T2 passes every check"
+            : "every check that T2 helps passes",
         level: found.level,
       }
-    : { value: "–", small: idle ? "no pull to carry" : "" };
+    : { value: "–", small: idle ? "Te is zero" : "" };
   const ratio = m.creep_limit_capacity;
   return [
     {
       name: title("creep_limit_margin"),
       value: digits(m.creep_limit_margin),
-      small: ratio == null || Number.isNaN(ratio) ? "" : `carries a ratio of ${digits(ratio)}`,
+      small: ratio == null || Number.isNaN(ratio) ? "" : `transmits a ratio of ${digits(ratio)}`,
       late: true,
     },
-    { name: "Least slack-side tension", ...least, late: true },
+    { name: "Minimum T2", ...least, late: true },
     {
       name: title("equivalent_friction"),
       value: digits(m.equivalent_friction),

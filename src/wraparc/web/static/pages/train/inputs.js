@@ -72,7 +72,7 @@ function trainFields(t, answer) {
   const modes = [
     ["share", "shares"],
     ["speeds", "speed trims"],
-    ["equal", "equal drum speeds"],
+    ["equal", "equal pulley speeds"],
     ...(mode === "motor" ? [["motor", "motors (in the file)"]] : []),
   ];
   const choose = {
