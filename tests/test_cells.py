@@ -43,7 +43,7 @@ def test_a_cell_shows_as_the_number_does(value: float, system: System) -> None:
 
 def test_what_is_no_number_is_a_text() -> None:
     assert (quantity(math.nan, "force"), bare(math.nan, "force")) == ("-", "-")
-    assert quantity(math.inf, "force") == bare(-math.inf, "force") == "without bound"
+    assert quantity(math.inf, "force") == bare(-math.inf, "force") == "infinite"
     assert percent(math.nan) == "-"
 
 
@@ -61,7 +61,7 @@ def test_what_is_no_number_is_a_text() -> None:
         (format_limit(62_911.0, "force", "maximum"), "62.9 kN", "14100 lbf"),
         (format_limit(6.35e-3, "length", "maximum"), "6.35 mm", "0.25 in"),
         (format_limit(0.012, "speed", "maximum"), "12 mm/s", "0.472 in/s"),
-        (format_limit(math.inf, "force", "maximum"), "without bound", "without bound"),
+        (format_limit(math.inf, "force", "maximum"), "infinite", "infinite"),
         (Cell(84_021.5, "force", form="to up", other=50e3), "50 to 84.1 kN", "11200 to 18900 lbf"),
         (Cell(84_021.5, "force", form="to down", other=9e4), "90 to 84.0 kN", "20200 to 18800 lbf"),
         (Cell(210e3, "force", form="of", other=150_210.0), "150 of 210 kN", "33800 of 47200 lbf"),

@@ -123,7 +123,7 @@ def test_a_value_that_contains_itself_is_shown_by_its_type() -> None:
 
 
 def test_a_source_is_told_with_its_kind() -> None:
-    assert str(Provenance()) == "given"
+    assert str(Provenance()) == "input"
     assert str(Provenance(Kind.ILLUSTRATIVE)) == "illustrative"
     published = Provenance(Kind.PUBLISHED, "Maker, catalogue", "2012", "rated values")
     assert str(published) == "published: Maker, catalogue, 2012 (rated values)"

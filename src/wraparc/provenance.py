@@ -54,5 +54,6 @@ class Provenance:
 
     def __str__(self) -> str:
         origin = ", ".join(part for part in (self.source, self.date) if part)
-        stated = f"{self.kind}: {origin}" if origin else str(self.kind)
+        kind = "input" if self.kind is Kind.GIVEN else str(self.kind)
+        stated = f"{kind}: {origin}" if origin else kind
         return f"{stated} ({self.note})" if self.note else stated

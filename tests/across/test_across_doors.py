@@ -44,11 +44,10 @@ build_up = []
 misalignment = "2 mm/m"
 deflection = "0.3 mm"
 entry_profile = [["-500 mm", "-2 kN/m"], ["500 mm", "2 kN/m"]]
-before = { kind = "transition", length = "2.9 m", trough_angle = "35 deg", centre_roll = "465 "
-    "mm", depth = "half" }
+before = { kind = "transition", length = "2.9 m", trough_angle = "35 deg", centre_roll = "465 mm", depth = "half" }
 after = { kind = "pulley", distance = "1.5 m" }
 strips = 24
-"""
+"""  # noqa: E501
 
 
 def test_a_whole_table_is_read_and_written() -> None:
@@ -146,7 +145,7 @@ def test_slack_is_said_with_strip_and_amount(fabric: Drive) -> None:
     assert says in str(error.value)
     assert slack.position == pytest.approx(0.1)  # centre of the fourth of six strips
     assert slack.tension < 0.0
-    assert "of the given unevenness on" in str(error.value)
+    assert "of the input unevenness on" in str(error.value)
     verdict = _verdict(drive)
     assert verdict.level is Level.FAILS
     assert in_units(verdict.text) == "Strip at 100 mm goes slack (head, design)."

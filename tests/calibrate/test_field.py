@@ -147,7 +147,7 @@ def test_wear_shows_as_a_difference_of_speed() -> None:
     told = told_in(field_sheet(found, Verdict(()), "Drive", "head"), "si").verdict
     assert told is not None
     text = " ".join(told.sentences)
-    assert "need the drum speed from a measured circumference" in text
+    assert "need the pulley speed from a measured circumference" in text
     assert "1 mm moves every difference by 0.25 %, and 8 mm by 2 %" in text
 
 
@@ -187,12 +187,15 @@ def test_levels_are_what_a_tachometer_pair_shows(tmp_path: Path) -> None:
     assert ran.json["drift"] == pytest.approx(1.0 / 0.4)
     text = wraparc("field", example, *covers).words
     assert "between shaft and belt" in text
-    assert "Drum speeds are those at the lagging surface" not in text
+    assert "Pulley speeds are those at the lagging surface" not in text
 
 
 def test_without_the_thickness_no_level_is_a_bare_ok(tmp_path: Path) -> None:
     text = wraparc("field", drive_file(tmp_path)).words
-    assert "Drum speeds are those at the lagging surface: 10 mm of belt on a drum of 800 mm" in text
+    assert (
+        "Pulley speeds are those at the lagging surface: 10 mm of belt on a pulley of 800 mm"
+        in text
+    )
     found = FieldNumbers(
         healthy={"design": (0.004, 0.010)}, at_limit=None, at_breakaway=None, alarm=0.0125,
         trip=0.025, wear_per_year=math.nan, life_years=math.nan, energy_per_year=0.0,
@@ -227,7 +230,7 @@ def test_a_drum_is_not_measured_again_for_wear_that_no_tape_tells() -> None:
     head = wraparc("field", str(example("head-drive-fabric")), "--full")[1]
     said = " ".join(head.split())
     assert "any wear since it was measured raises the alarm by itself" in said
-    assert "Measure the drum's surface instead of its shaft." in said
+    assert "Measure the pulley's surface instead of its shaft." in said
     tandem = " ".join(wraparc("field", str(example("tandem-fabric")), "--full")[1].split())
     assert "again for every 0.246 mm worn off" in tandem
 

@@ -213,7 +213,9 @@ def test_what_remains_identified_is_said_before_and_after(tmp_path: Path) -> Non
     assert "nothing" in ran.words  # what such data promise, before they are fitted
     ran = wraparc("calibrate", asked(tmp_path, ASK + ZERO + open_))
     assert ran.code == 0
-    assert "By the zero record, with drum and wheel as stated, the tension member runs" in ran.words
+    assert (
+        "By the zero record, with pulley and wheel as stated, the tension member runs" in ran.words
+    )
 
 
 @pytest.mark.parametrize(
@@ -312,7 +314,7 @@ def test_an_overlay_shows_what_tachometers_would(tmp_path: Path) -> None:
     ran = wraparc("overlay", tmp_path / "calibrate.toml")
     shown = 100.0 * tachometer_ratio(result, "exit")
     assert f"Shaft to belt, exit, design -1 % {shown:.2f} %" in ran.words, ran.words
-    surface = "Drum speeds are those at the lagging surface: 10 mm of belt on a drum of 800 mm"
+    surface = "Pulley speeds are those at the lagging surface: 10 mm of belt on a pulley of 800 mm"
     assert surface not in ran.words
     asked(tmp_path, ASK, EXAMPLE.read_text("utf-8"))
     assert surface in wraparc("overlay", tmp_path / "calibrate.toml").words

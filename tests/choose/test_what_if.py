@@ -99,7 +99,7 @@ def test_the_command_tells_the_reasons(tmp_path: Path) -> None:
     before, after = ran.json["results"]
     assert (before["status"], after["status"]) == ("solved", "breakaway")
     assert after["exit_creep"] is None
-    assert after["reasons"][0].startswith("no creep carries its pull.")
+    assert after["reasons"][0].startswith("gross slip: no creep transmits its Te.")
 
 
 @pytest.mark.parametrize(
@@ -148,8 +148,8 @@ def test_a_new_take_up_tension_says_what_pull_it_implies(tmp_path: Path) -> None
     change = "pulley.head.exit_tension=30 kN"
     ran = wraparc("what-if", drive_file(tmp_path), "--change", change, "--full")
     assert (
-        f"{change}: with T2 from 60 kN to 30 kN, T1 held, the pull T1 - T2 goes from "
-        "90 kN to 120 kN; a take-up alone leaves the pull as it is" in ran.words
+        f"{change}: with T2 from 60 kN to 30 kN, at constant T1 Te goes from "
+        "90 kN to 120 kN; a take-up alone leaves Te unchanged" in ran.words
     )
     assert "the pulley works at a larger tension ratio." in ran.words
     assert "less of the slip that the friction needs" not in ran.words

@@ -45,7 +45,7 @@ def test_a_changed_example_is_kept_and_solved(tmp_path: Path) -> None:
     drive.write_text(drive.read_text("utf-8").replace("ROM conveyor", "my conveyor"), "utf-8")
     ran = wraparc("demo", "--into", tmp_path)
     assert ran.out.startswith("Head drive, my conveyor")
-    assert f"Kept your own {drive}." in ran.out
+    assert f"Unchanged: your own {drive}." in ran.out
     assert "my conveyor" in drive.read_text("utf-8")
 
 

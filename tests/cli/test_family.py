@@ -83,7 +83,7 @@ def test_the_command_prints_draws_and_writes(tmp_path: Path) -> None:
     ran = wraparc("family", DRIVE, "--ratios", "1.5, 2,3", "--plot", picture, "--json", data)
     assert ran.code == 0
     assert "T1/T2 = 1.5" in ran.out
-    assert "T1 held at 150 kN" in ran.out
+    assert "T1 constant at 150 kN" in ran.out
     assert "T1/T2 = 3" in picture.read_text("utf-8")
     told = json.loads(data.read_text("utf-8"))
     assert [r["ratio"] for r in told["results"]] == pytest.approx([1.5, 2.0, 3.0])

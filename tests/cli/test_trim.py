@@ -79,19 +79,19 @@ def test_the_words_answer_who_why_and_what_equalises(tmp_path: Path) -> None:
     even = expected().equal["second"]
     trim = 100 * even.speed_trim
     assert (
-        f"second carries more than its equal part because it turns {100 - trim:.3f} % faster than "
+        f"second takes more than its equal share because it turns {100 - trim:.3f} % faster than "
         f"equal shares need: at a trim of 100.000 %, where {trim:.3f} % equalises."
     ) in ran.words
     assert (
-        f"the drum of second must turn {-100 * (even.drum_ratio - 1):.3f} % slower than that of "
-        f"first, at equal diameters (belt contraction {100 * even.contraction_term:.3f} %, lagging "
+        f"second must turn {-100 * (even.drum_ratio - 1):.3f} % slower than first, "
+        f"at equal diameters (belt contraction {100 * even.contraction_term:.3f} %, lagging "
         f"compression {100 * even.compression_term:.3f} %, extra creep "
         f"{100 * even.creep_term:+.3f} %): contraction and compression outweigh its extra creep, "
-        "and the rule of the slightly faster second drive does not hold."
+        "and the rule of the slightly faster second drive does not apply."
     ) in ran.words
     low, high = expected().trim.at(MarkKind.UNLOADED)
     assert (
-        f"All drives pull while the trim of second is between {100 * low:.3f} % and "
+        f"No drive brakes while the trim of second is between {100 * low:.3f} % and "
         f"{100 * high:.3f} %; outside, one brakes against the others."
     ) in ran.words
     assert "With 1 mm worn off second its share goes from 73.4 % to 57.0 %." in ran.words
@@ -104,9 +104,9 @@ def test_the_rule_holds_on_the_steel_cord_belt() -> None:
     ran = wraparc("solve", STEEL, "--full")
     assert ran.code == 0
     assert re.search(
-        r"The drum of second must turn 0\.\d{3} % faster than that of first, .*: its extra creep "
+        r"second must turn 0\.\d{3} % faster than first, .*: its extra creep "
         r"outweighs contraction and compression, and the rule of the slightly faster second drive "
-        r"holds\.",
+        r"applies\.",
         ran.words,
     )
 
@@ -122,8 +122,7 @@ def test_drives_that_fight_are_told(tmp_path: Path) -> None:
     ran = wraparc("solve", path, "--load-case", "empty", "--full")
     pull = solve_train(load_train(path)).cases[1]["second"].arc.effective_tension
     assert (
-        f"The drives fight: first drives while second brakes, {-pull / 1e3:#.3g} kN of pull "
-        "against each other."
+        f"The drives oppose each other: first drives while second brakes, by {-pull / 1e3:#.3g} kN."
     ) in ran.words
 
 
@@ -133,7 +132,7 @@ def test_motors_are_told_by_their_setting() -> None:
     ran = wraparc("trim", path, "--points", 5, "--full")
     assert (ran.code, ran.err) == (0, "")
     found = re.search(
-        r"head 2 carries more than its equal part: a motor set (0\.\d\d) % slower would", ran.words
+        r"head 2 takes more than its equal share: a motor set (0\.\d\d) % slower would", ran.words
     )
     assert found
     setting = 1.0 - float(found[1]) / 100
@@ -251,9 +250,7 @@ def test_a_drum_faster_than_its_motor_allows(tmp_path: Path) -> None:
     assert ran.code == 1
     assert "FAILS Motor limit reached: no operating point (empty)." in ran.words
     assert "Action Set brakes = true if the drive can brake." in ran.words
-    reason = (
-        "The belt drives the drum of first at 74 rpm, where its motor ends: it cannot hold back."
-    )
+    reason = "The belt drives pulley first at 74 rpm, where its motor ends: it cannot brake."
     assert reason in wraparc("solve", path, "--load-case", "empty", "--full").words
     ran = wraparc("trim", path, "--load-case", "empty")
     assert (ran.code, ran.err) == (1, "")

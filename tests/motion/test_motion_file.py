@@ -202,8 +202,8 @@ def short_start() -> Ran:
 
 def test_the_command_run_tells_the_worst_first(short_start: Ran) -> None:
     assert short_start.code == 0
-    assert "The drums" in short_start.out
-    assert "Largest creep at exit" in short_start.out
+    assert "The drives" in short_start.out
+    assert "Peak creep at exit" in short_start.out
 
 
 def test_the_command_run_streams_files(tmp_path: Path) -> None:
@@ -266,7 +266,7 @@ def test_the_note_follows_the_events_that_ask_for_it(tmp_path: Path) -> None:
     done = run_command("report", TANDEMS[0], "-o", str(note), *asked)
     text = note.read_text("utf-8")
     assert "In time: events and vibrations" in text
-    assert "The drums: start" in text
+    assert "The drives: start" in text
     assert "Te ripple 3.4 % exceeds the 2 % limit" in " ".join(text.split())
     worst = judge_run(short_run())
     # its checks count: they stand among the others, and in the headline where they are the worst

@@ -74,7 +74,7 @@ def test_inputs_are_numbers_with_their_origin() -> None:
     heads, *rows = sheets(workbook(BOTH))["Inputs"]
     inputs = {(row[0], row[1]): dict(zip(heads, row, strict=True)) for row in rows}
     diameter = inputs["Pulley head", "Diameter over lagging"]
-    assert (diameter["Value"], diameter["Unit"], diameter["Kind"]) == (800.0, "mm", "given")
+    assert (diameter["Value"], diameter["Unit"], diameter["Kind"]) == (800.0, "mm", "input")
     modulus = inputs["Lagging diamond-rubber", GLOSSARY["shear_modulus"].title]
     assert modulus["Kind"] == "published"
     assert "DeVries" in modulus["Source"]

@@ -93,7 +93,7 @@ def test_every_dialect_is_read_from_the_command_line(name: str, tmp_path: Path) 
     assert ran.code == 0
     assert "used as travel" in ran.words
     assert "used as force" in ran.words
-    assert "Kept 60" in ran.words
+    assert "Used 60" in ran.words
 
 
 def test_what_cannot_be_read_is_said_for_every_file(tmp_path: Path) -> None:
@@ -103,7 +103,7 @@ def test_what_cannot_be_read_is_said_for_every_file(tmp_path: Path) -> None:
     binary.write_bytes(bytes(range(256)) * 20)
     ran = wraparc("read", good, empty, binary, tmp_path / "gone.csv", tmp_path)
     assert ran.code == 2
-    assert "Kept 250" in ran.words  # the good one is shown
+    assert "Used 250" in ran.words  # the good one is shown
     assert ran.err.count("\n") == 5
     for text in ("the file is empty", "binary", "there is no such file", "this is a folder"):
         assert text in ran.err

@@ -138,8 +138,8 @@ def test_circumstances_and_what_is_not_stated(report: Report) -> None:
     assert said["Operator"] == "A. Tester; C. Other"
     assert said["Humidity"] == "40 % to 50 %"
     assert said["Test speed"] == "10 mm/min"
-    assert said["Load cell, pull"] == "Cell 25 kN, serial A123"
-    assert said["Calibration, pull"] == "class 0.5, 2026-01-15"
+    assert said["Load cell, force"] == "Cell 25 kN, serial A123"
+    assert said["Calibration, force"] == "class 0.5, 2026-01-15"
     assert said["Normal force"] == "measured"
     for title in ("Temperature", "Date of the tests", "Compliance of the rig"):
         assert said[title] == "not stated"

@@ -93,7 +93,7 @@ def test_a_distribution_is_cut_where_the_field_ends_and_says_so() -> None:
     axis = {**NORMAL, "standard_deviation": "8 MN/m"}
     asked = study_of(axis, sampling=SAMPLING)
     assert (
-        "Modulus of the belt: 6.7 % of the distribution lies beyond its limits" in asked.remarks[0]
+        "Modulus of the belt: 6.7 % of the distribution is outside its limits" in asked.remarks[0]
     )
     assert asked.study.plan.values(0, 100)["belt.modulus"].min() > 0.0
 

@@ -245,7 +245,7 @@ def test_a_run_killed_and_interrupted_ends_in_the_same_file(tmp_path: Path) -> N
         assert len(list(parts_folder(path).glob("*.parquet"))) == count
         assert not path.exists()
     assert process.returncode == 130, told
-    kept = f"2 of 3 parts are kept in {parts_folder(path)}: go on with --resume."
+    kept = f"2 of 3 parts are saved in {parts_folder(path)}: go on with --resume."
     assert f"Interrupted.\n{kept}\n" in told
     for into in (path, whole):
         ran = wraparc_process(*arguments, into, "--resume")

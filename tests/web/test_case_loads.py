@@ -145,7 +145,7 @@ def test_a_fixed_take_up_gives_the_tensions_for_a_pull(visitor: Visitor, tmp_pat
     # expected: half of the sum of 150 kN and 60 kN, less half of the pull, by hand
     page = opened(visitor, tmp_path, FIXED)
     load = look(page, "start")
-    expect(load).to_contain_text("the take-up holds the sum of both")
+    expect(load).to_contain_text("the take-up fixes the sum of both")
     entry = load.get_by_label("Entry tension T1", exact=True)
     expect(entry).to_have_attribute("placeholder", "168")
     load.get_by_label("Effective tension Te", exact=True).fill("110")

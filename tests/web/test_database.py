@@ -299,7 +299,7 @@ def test_a_damaged_database_names_the_copy_of_its_last_sound_state(tmp_path: Pat
         open_engine(url, "shown")
     day = datetime.fromtimestamp(kept.stat().st_mtime).astimezone()
     assert str(caught.value).endswith(
-        f'It was left as it is; `sqlite3 "{file}" .recover` may save what is in it. The designs as '
+        f'It is unchanged; `sqlite3 "{file}" .recover` may save what is in it. The designs as '
         f'of {day:%Y-%m-%d %H:%M} are in "{kept}": name a copy of that file with --database.'
     )
     assert str(caught.value).startswith("--database = shown: the file is damaged (")
@@ -456,7 +456,7 @@ def test_a_database_that_is_restarted_has_lost_nothing(
         save(store, f"before {number}")
     server.stop(signal.SIGQUIT)
     try:
-        with pytest.raises(ApiError, match="Nothing was saved: keep the page open") as raised:
+        with pytest.raises(ApiError, match="Nothing was saved: leave the page open") as raised:
             save(store, "while it is down")
         assert raised.value.status_code == 503
         with pytest.raises(ApiError, match="Try again in a moment"):

@@ -305,9 +305,9 @@ def test_a_new_drive_leads_to_the_conveyor_and_to_examples(long_visit: Visitor) 
     page.click("#undo")
     expect(page.locator(".typed")).to_be_visible()
     page.locator(".from").get_by_role(
-        "button", name="Uphill conveyor, pull from its resistances"
+        "button", name="Uphill conveyor, tensions from its resistances"
     ).click()
-    expect(page.locator("#title")).to_have_text("Uphill conveyor, pull from its resistances")
+    expect(page.locator("#title")).to_have_text("Uphill conveyor, tensions from its resistances")
     long_visit.solved()
     expect(page.locator(".from")).to_have_count(0)
 

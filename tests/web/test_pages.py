@@ -60,7 +60,7 @@ def test_drive_page_shows_the_answer_of_the_command_line(visitor: Visitor, tmp_p
     assert key_figure(visitor, "Margin to the creep limit") == f"{capacity:.2f}"
     angle = first["peak_shear_angle"] * 57.29577951308232
     assert key_figure(visitor, "Peak shear angle") == f"{angle:.2f} deg"
-    # the paper's march stands beside it, in a table that is laid out when it is scrolled to
+    # the paper's integration stands beside it, in a table that is laid out when it is scrolled to
     paper = next(a for a in told["arcs"] if a["method"] == "paper")
     cells = page.locator(".t-answer tbody tr").first.locator("td.num").all_text_contents()
     assert cells == [f"{1e3 * a['exit_creep']:#.3g} mm" for a in (first, paper)]

@@ -170,7 +170,7 @@ def test_a_choice_is_made_and_alarm_levels_stand_on_the_page(visitor: Visitor) -
     # pulley costs is in no price
     page = visitor.open("drive")
     visitor.solved()
-    page.get_by_role("button", name="Which design costs least").click()
+    page.get_by_role("button", name="Which design has the lowest cost").click()
     card = page.locator(".choosing")
     card.get_by_label("Medium ceramic").uncheck()
     card.get_by_label("Wrap angles").fill("180; 210 deg")

@@ -157,7 +157,7 @@ def _follow(page: Page) -> None:
     page.select_option("#e-points", "30")
     page.click("#follow")
     page.locator("#events [data-stands] table").first.wait_for(timeout=STUDY)
-    page.get_by_role("button", name="Draw how run-out becomes pull").click()
+    page.get_by_role("button", name="Plot Te against run-out").click()
     page.locator("#events figure [data-stands] img").wait_for(timeout=STUDY)
 
 

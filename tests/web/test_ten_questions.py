@@ -198,7 +198,7 @@ QUESTIONS: dict[str, Callable[[Hand], None]] = {
     "Rubber or ceramic over the life?": rubber_or_ceramic,
     "Does ceramic wear the belt?": ceramic_and_the_belt,
     "Which speed trim does a tandem need?": speed_trim,
-    "Why do two drives fight?": drives_that_fight,
+    "Why do two drives oppose each other?": drives_that_fight,
     "What do worn edges do?": worn_edges,
 }
 

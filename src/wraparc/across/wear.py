@@ -140,7 +140,7 @@ def march_wear(
         middle = solver.solve(half, start=at) if half is not None else None
         new = _thinner(at, 1.0 / steps, to, middle) if middle is not None else None
         if new is None or float(np.min(new.thickness)) < least_thickness:
-            ended = "The thinnest strip is down to the least thickness."
+            ended = "The thinnest strip is down to the minimum thickness."
             break
         if middle is None or not middle.status.solved:
             ended = "" if middle is None else str(middle.status)
@@ -256,14 +256,14 @@ def measured_coefficient(result: AcrossResult, depth: float, hours: float) -> fl
     arc = result.wide.arc
     problems = []
     if not 0.0 < depth < math.inf:
-        message = "nothing is worn off yet, so that hours do not tell how fast it wears"
+        message = "nothing is worn off yet: the hours run give no wear rate"
         remedy = "Give the worn depth, or leave the hours out."
         problems.append(Problem(key="hours", message=message, remedy=remedy))
     if not 0.0 < hours < math.inf:
-        message = "must be more than 0 to tell how fast it wears"
+        message = "must be more than 0 for a wear rate"
         problems.append(Problem(key="hours", value=f"{hours:g} h", message=message))
     if not arc.belt_speed:
-        message = "the speed of the belt is not given, so that hours are no passes"
+        message = "belt speed missing: hours are no passes"
         problems.append(Problem(key="belt.speed", message=message, remedy="Give the belt speed."))
     if problems or not arc.belt_speed:
         raise InputError(problems)

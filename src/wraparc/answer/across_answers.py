@@ -47,7 +47,7 @@ def wear_verdict(now: AcrossResult, history: WearHistory, least: float) -> Verdi
         headline += f"to thinnest now, {left} after {depth} of mean wear."
         sentences = ["It wears to the shape that wears evenly under what is uneven, and stays so."]
     if history.ended:
-        sentences.append(f"The march ended early. {history.ended}")
+        sentences.append(f"The integration ended early. {history.ended}")
     return Verdict(level, headline, (*sentences, relag_sentence(history, least)))
 
 
@@ -59,11 +59,11 @@ def relag_sentence(history: WearHistory, least: float) -> str:
         return f"Re-lag now: the thinnest strip is down to {to} already."
     if np.all(np.isnan(history.passes)):
         return (
-            f"When to re-lag at {to} cannot be told: give the hours run since the lagging was new, "
-            "or a lagging with a wear coefficient."
+            f"Time to re-lagging at {to} unknown: give the hours run since the lagging was "
+            "new, or a lagging with a wear coefficient."
         )
     if math.isnan(float(history.hours[-1])):
-        return "When to re-lag cannot be told in hours: give the belt speed."
+        return "Hours to re-lagging unknown: give the belt speed."
     hours = history.hours_to(least)
     if math.isnan(hours):
         thin = quantity(float(thinnest[-1]), "length", GIVEN_DIGITS)

@@ -91,7 +91,7 @@ def answer_table(result: AcrossResult) -> Table:
     rows = [
         row("largest_running_tension", _of_mean(result.largest_running_tension, arc.entry_tension,
                                                 arc.width)),
-        row("tightest_strip_tension", "the mean over it; above, carried on to the very edge"),
+        row("tightest_strip_tension", "the mean over it; above, extrapolated to the very edge"),
         row("least_tension", at(least)),
         row("entry_unevenness", at(place_of_largest(result.entry_tension))),
         row("exit_unevenness", at(place_of_largest(result.exit_tension))),
@@ -106,7 +106,7 @@ def answer_table(result: AcrossResult) -> Table:
         row("drum_number", "" if arc.pitch_offset is not None else surface_sentence(arc.diameter)),
     ]  # fmt: skip
     if result.wide.static_profile is not None:
-        rows.insert(2, row("largest_static_tension", "the label lines held at both ends"))
+        rows.insert(2, row("largest_static_tension", "the label lines fixed at both ends"))
     if not math.isnan(result.outside_tested_share):
         note = "of the wrapped area" if result.outside_tested_share else ""
         value = percent(result.outside_tested_share)

@@ -11,7 +11,7 @@ from wraparc.friction import Constant, FrictionLaw, PressurePower
 Results = tuple[ArcResult, ...]
 
 #: What a method is called in headings.
-METHOD_TITLES = {"distributed": "distributed", "paper": "paper's march"}
+METHOD_TITLES = {"distributed": "distributed", "paper": "paper's integration"}
 
 
 def heads(results: Results) -> tuple[str, ...]:
@@ -49,7 +49,7 @@ def answer_table(results: Results) -> Table:
     notes += [told] if (told := creep_interval_text(first)) else []
     level, sides = _creep_level(first), {r.within_creep_limit for r in results if r.status.solved}
     if len(sides) > 1:
-        notes.append("the methods stand on different sides of it")
+        notes.append("the methods differ in whether it passes")
         level = Level.ATTENTION if level is Level.OK else level
     where = f"at {named('peak_shear_position', first.peak_shear_position)} from the entry"
     pressure = Row(
@@ -125,10 +125,10 @@ def creep_table(results: Results) -> Table:
     rows = []
     for name, note in (
         ("creep_shrinkage", "the belt sheds tension and shortens"),
-        ("creep_compression", "the lagging is squeezed at the entry and recovers"),
+        ("creep_compression", "the lagging is compressed at the entry and recovers"),
         (
             "creep_global",
-            "the whole belt slips back: what the friction needs beyond the first two",
+            "the whole belt slips back: what the friction needs in addition to the first two",
         ),
     ):
         texts = _values(results, lambda r, name=name: creep_part(r, name))  # type: ignore[misc]
@@ -174,14 +174,14 @@ def capacity_table(result: ArcResult) -> Table | None:
     ]  # fmt: skip
     if arc.law.tested is not None:
         slip = named("slip", arc.law.tested.slip_max)
-        note = f"slip at the largest tested, {slip}"
+        note = f"slip at the maximum tested, {slip}"
         rows.append(
             ratio("tested_slip_capacity", c.tested_slip_capacity, c.tested_slip_margin, note)
         )
     gross = _gross_note(independent_of_slip(arc.law), c.gross_slip_creep)
     rows.append(row("gross_slip_capacity", c.gross_slip_capacity, gross))
     note = (
-        f"Ratios {tight}/{slack} with {tight} held at {held}; margin is the capacity over the "
+        f"Ratios {tight}/{slack} at constant {tight} of {held}; margin is the capacity over the "
         f"actual ratio, {named('tension_ratio', actual)}."
     )
     return Table("Capacity", tuple(rows), note=note, name="capacity")
@@ -191,7 +191,7 @@ def _gross_note(plain: bool, creep: float) -> str:
     if plain:
         return "the whole wrap slips"
     if math.isinf(creep):
-        return "extrapolated, approached as creep grows without bound"
+        return "extrapolated, approached as creep grows to infinity"
     return f"extrapolated, at {named('gross_slip_creep', creep)} of creep"
 
 

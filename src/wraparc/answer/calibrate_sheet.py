@@ -149,7 +149,7 @@ def _apart(found: Calibration, problem: Problemset) -> Iterator[str]:
             yield (
                 f"{GLOSSARY[t.quantity].title} along the arc, {t.load_case}: the best fit misses "
                 f"it by {named(t.quantity, miss)} in the mean, {percent(miss / most, 2)} "
-                f"of its largest value. {_OTHER}"
+                f"of its maximum. {_OTHER}"
             )
 
 
@@ -212,11 +212,11 @@ def _deviations(found: Calibration) -> Table:
         for d in found.deviations
     ]
     note = (
-        "Standard deviations, common to all load cases. The zero of the speed ratio holds the "
-        "radius of the wheel, the diameter of the drum and the thickness of the belt: each shifts "
-        "every ratio alike, so no record tells them apart."
+        "Standard deviations, common to all load cases. The zero of the speed ratio contains "
+        "the radius of the wheel, the diameter of the pulley and the thickness of the belt: each "
+        "shifts every ratio alike, so no record separates them."
     )
-    heads = ("stated", "found off by", "left")
+    heads = ("stated", "estimated error", "left")
     return Table("Errors of what was measured with", tuple(rows), heads, note)
 
 
@@ -275,7 +275,7 @@ def _remarks(found: Calibration) -> Iterator[str]:
     yield from _covered(found, outside=False)
     if found.offset is not None:
         yield (
-            "By the zero record, with drum and wheel as stated, the tension member runs "
+            "By the zero record, with pulley and wheel as stated, the tension member runs "
             f"{named('pitch_offset', found.offset)} above the lagging surface."
         )
     names = [e.name.replace("_", " ") for e in found.estimates]
@@ -334,7 +334,7 @@ def overlay_sheet(
             at_peak.append(float(np.abs(here).max()))
             apart.append(float(np.sqrt(np.mean((here - t.value) ** 2))))
         name = f"{GLOSSARY[t.quantity].title}, {t.load_case}"
-        rows.append(Row(f"{name}: largest", tuple(named(t.quantity, v) for v in at_peak)))
+        rows.append(Row(f"{name}: maximum", tuple(named(t.quantity, v) for v in at_peak)))
         texts = ["-", *(named(t.quantity, v) for v in apart)]
         rows.append(Row(f"{name}: rms difference", tuple(texts)))
     heads = ("measured", *(r.method for r in next(iter(predicted.values()), ())))

@@ -237,7 +237,7 @@ def belts_sheet() -> Sheet:
         heads = (
             "rating",
             "modulus M",
-            "least drive pulley",
+            "minimum drive pulley",
             "carcass",
             "its mass",
             either("1 mm of cover", "1/32 in of cover"),

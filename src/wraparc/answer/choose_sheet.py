@@ -48,7 +48,7 @@ def choose_sheet(
     return Sheet(
         title=search.title or f"Choice for {search.drive.title or 'the drive'}",
         subtitle=f"Pulley {search.pulley} of {search.drive.title or 'the drive'}: "
-        f"{len(selection)} designs, {len(selection.ranking)} keep every limit"
+        f"{len(selection)} designs, {len(selection.ranking)} within every limit"
         f"{_but_edges(selection)}.",
         verdict=told,
         tables=tuple(t for t in tables if t.rows),
@@ -92,7 +92,7 @@ def _ranking(selection: Selection, most: int) -> Table:
     more = len(selection.ranking) - len(rows)
     note = "front: no cheaper design has less creep, or needs less slack-side tension T2"
     if max(selection.search.shape[4:]) > 1:
-        note += "; of designs that differ in wrap and tension alone the least of both comes first"
+        note += "; of designs that differ in wrap and tension alone the minimum of both comes first"
     if is_uneven(selection.search):
         note += "; uneven: tightest strip at the entry over the mean tension, the worst case"
         note += ", - where not solved across the width" if len(selection.unjudged) else ""
@@ -103,7 +103,7 @@ def _ranking(selection: Selection, most: int) -> Table:
     )
     order = "as recommended" if max(selection.search.shape[4:]) > 1 else "cheapest first"
     return Table(
-        f"Designs that keep every limit, {order}",
+        f"Designs within every limit, {order}",
         tuple(rows),
         _heads(selection),
         note,
@@ -152,7 +152,7 @@ def _remarks(selection: Selection) -> Iterator[str]:
     yield from _slack_remarks(selection)
     yield from _edge_remarks(selection)
     if search.costing.tariff is None:
-        yield "Energy lost to creep is left out: no tariff is given."
+        yield "Energy lost to creep is left out: tariff missing."
     elif len(search.conditions) > 1:
         yield f"Energy is that of condition {search.conditions[0].name}."
     if not search.costing.belts:
@@ -163,11 +163,11 @@ def _remarks(selection: Selection) -> Iterator[str]:
     if search.limits.least_pulley_diameter:
         unknown = [b.name for b in search.belts if b.least_pulley_diameter is None]
         if unknown:
-            yield f"No least pulley diameter is published of {', '.join(unknown)}."
+            yield f"No minimum pulley diameter is published of {', '.join(unknown)}."
     if len(search.drive.pulleys) > 1:
         yield (
             f"Only pulley {search.pulley} was varied. The slack-side tension is that behind the "
-            "drives, where the take-up is; every pulley pulls as in the drive file."
+            "drives, where the take-up is; the Te of every pulley is that of the drive file."
         )
 
 
@@ -175,7 +175,7 @@ def _slack_remarks(selection: Selection) -> Iterator[str]:
     search, sag = selection.search, selection.search.limits.sag
     if search.least_slack:
         held = tension_at(search.drive.take_up_place)
-        yield f"The {held} is the least with which every check that it helps passes."
+        yield f"The {held} is the minimum with which every check that it helps passes."
     sag = sag or search.drive.criteria.sag
     if sag is None:
         yield (
@@ -192,8 +192,8 @@ def _edge_remarks(selection: Selection) -> Iterator[str]:
     if count:
         yield (
             f"The first {MOST} of the ranking and the designs of the fronts are solved across the "
-            f"width. {count} further designs are not: how uneven they run and what their edges "
-            "carry is not known. To judge them too, search fewer."
+            f"width. {count} further designs are not: their unevenness and edge tensions are "
+            "not known. To judge them too, search fewer."
         )
 
 
@@ -259,7 +259,7 @@ def _uneven_cells(selection: Selection, i: int) -> list[str]:
         return []
     edge = selection.standings["edge_tension"]
     known = math.isfinite(edge.value[i])
-    told = "solved" if known else "not solved" if math.isnan(edge.value[i]) else "not carried"
+    told = "solved" if known else "not solved" if math.isnan(edge.value[i]) else "not transmitted"
     numbers = (selection.unevenness[i], edge.value[i], edge.limit[i])
     return [told, *(_plain(float(v)) if known else "" for v in numbers)]
 

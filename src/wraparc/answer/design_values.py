@@ -29,13 +29,13 @@ def comparison_table(result: ArcResult, lagging: Lagging, of: Sources) -> Table:
     rows += [_design_row(classical, result, of) for classical in known(result, lagging)]
     if lagging.surface:
         note = (
-            "Slack side: Cw (T1 - T2) with Cw = 1/(exp(mu phi) - 1). Slipping arc: "
+            "T2: Cw (T1 - T2) with Cw = 1/(exp(mu phi) - 1). Slipping arc: "
             "ln(T1/T2)/mu. Design values are constant and take no account of creep."
         )
     else:
-        note = "The surface of the lagging is not given, so no design values apply."
+        note = "Surface of the lagging missing: no design values apply."
     ratio_head = "T1/T2 up to" if arc.side > 0.0 else "T2/T1 up to"
-    heads = ("friction", ratio_head, "slack side", "slipping arc")
+    heads = ("friction", ratio_head, "T2", "slipping arc")
     return Table("Compared with constant friction", tuple(rows), heads, note, "constant")
 
 

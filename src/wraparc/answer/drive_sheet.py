@@ -111,7 +111,7 @@ def with_sides(told: Verdict, results: Sequence[DriveResult]) -> Verdict:
         )
         places.setdefault(one.arc.creep_limit, []).append(f"{belongs(one)}, creeps {creeps}")
     said = tuple(
-        f"The methods stand on different sides of the creep limit {named('creep_limit', limit)}: "
+        f"The methods differ in whether creep passes the limit {named('creep_limit', limit)}: "
         f"{'; '.join(there)}. The paper lumps the contraction of the belt over the arc that is "
         "left, the solver adds it up along the arc."
         + (" The customary limit was set with the paper's." if limit == CREEP_LIMIT else "")
@@ -247,12 +247,11 @@ def loads_table(result: DriveResult) -> Table:
     )
     if weighed:
         note += (
-            f"With the weight ({', '.join(weighed)}): most where the belt pulls straight down, "
-            "least where it pulls straight up; where it pulls level, the root of the sum of both "
-            "squares. "
+            f"With the weight ({', '.join(weighed)}): maximum for a resultant straight down, "
+            "minimum for one straight up; for a level one the root of the sum of both squares. "
         )
     if belt.breaking_strength is None:
-        note += "Safety factor of the belt: its strength is not given."
+        note += "Safety factor of the belt: strength missing."
     else:
         given = quantity(strength, "force_per_width", GIVEN_DIGITS)
         note += f"Safety factor: strength {given} over the larger tension; see the checks."
@@ -293,11 +292,12 @@ def method_remarks(results: Sequence[DriveResult]) -> Iterator[str]:
                 yield f"{belongs(arc)}, by the {METHOD_TITLES[arc.method]}: {arc.status}"
     if any(result.arcs[0].method == "paper" for result in results):
         yield (
-            "The paper's march lumps the shrinkage of the belt over the whole wrap and overstates "
-            "the creep of soft belts; it finds no capacities."
+            "The paper's integration lumps the shrinkage of the belt over the whole wrap and "
+            "overstates the creep of soft belts; it has no capacities."
         )
         if any(arc.arc.offset > 0.0 or arc.arc.centrifugal > 0.0 for arc in results[0]):
             yield (
-                "The paper's march takes the belt as a string on the lagging surface: thickness, "
+                "The paper's integration takes the belt as a string on the lagging surface: "
+                "thickness, "
                 "cover and mass of the belt are not counted in it."
             )

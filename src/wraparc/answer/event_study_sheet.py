@@ -18,18 +18,18 @@ def event_study_sheet(study: EventStudy, rows: Sequence[EventRow]) -> Sheet:
     """Return the table of a study over an event."""
     heads = (
         "creep",
-        "largest T",
-        "least T",
-        "swing of pull",
+        "maximum T",
+        "minimum T",
+        "Te ripple",
         "friction work",
-        "pulsates",
+        "oscillates",
         "verdict",
     )
     lines = [_line(study, row) for row in rows]
     refused = [f"{_named(study, r)}: {r.text}" for r in rows if r.refused]
     note = (
-        "Swing: half of the last drum's pull from least to most over its mean, in the last quarter "
-        "of the run. Pulsates: frequency of a vibration that grows by itself."
+        "Te ripple: half of the last pulley's Te from minimum to maximum over its mean, in the "
+        "last quarter of the run. Oscillates: frequency of a self-excited oscillation."
     )
     return Sheet(
         title=study.title or f"Event {study.event}",

@@ -27,7 +27,7 @@ def family_sheet(drive: Drive, results: Sequence[ArcResult], title: str) -> Shee
         for r in results
     )
     limit = named("creep_limit", arc.creep_limit)
-    note = f"{tight} held at {held}; creep at the exit against the limit of {limit}."
+    note = f"{tight} constant at {held}; creep at the exit against the limit of {limit}."
     return Sheet(
         title=title,
         subtitle=f"Pulley {arc.pulley}, load case {arc.load_case}: {arc.duty}, at several ratios "

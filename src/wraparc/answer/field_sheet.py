@@ -43,11 +43,11 @@ def field_sheet(
     ]
     by_shaft = ("shaft to belt at entry", "at exit") if found.shown else ()
     speeds = Table(
-        "Drum speed less belt speed, over drum speed",
+        "Pulley speed less belt speed, over pulley speed",
         tuple(rows),
         ("belt at entry", "belt at exit", *by_shaft),
-        "drum speed: of the lagging surface where the belt meets it, on the radius less its "
-        "compression; behind the drum the belt runs as its strain does, v2/v1 = (1 + T2/EA)/"
+        "pulley speed: of the lagging surface where the belt meets it, on the radius less its "
+        "compression; behind the pulley the belt runs as its strain does, v2/v1 = (1 + T2/EA)/"
         "(1 + T1/EA)"
         + (
             "; shaft to belt: 1 - v/(omega R), what a tachometer pair shows, as the belt runs on "
@@ -108,10 +108,10 @@ def _circumference(found: FieldNumbers) -> str:
     each = either(*(quantity(step, "length") for step in steps))
     moved_each = either(*(percent(step * found.drift) for step in steps))
     worn, again = found.wear_to_alarm, 0.25 * found.wear_to_alarm
-    alarms, measure = "any wear", "the drum's surface instead of its shaft"
+    alarms, measure = "any wear", "the pulley's surface instead of its shaft"
     if math.isinf(worn):
         return (
-            "These levels need the drum speed from a measured circumference: wear since it was "
+            "These levels need the pulley speed from a measured circumference: wear since it was "
             f"measured hides the slip of a brake, {each} moves every difference by {moved_each}, "
             f"and {depth} by {moved}. Measure {measure}."
         )
@@ -120,7 +120,7 @@ def _circumference(found: FieldNumbers) -> str:
         every = quantity(again, "length")
         measure = f"the circumference again for every {every} worn off, or measure {measure}"
     return (
-        f"These levels need the drum speed from a measured circumference: {alarms} since it "
+        f"These levels need the pulley speed from a measured circumference: {alarms} since it "
         f"was measured raises the alarm by itself, {each} moves every difference by {moved_each}, "
         f"and {depth} by {moved}. Measure {measure}."
     )
@@ -131,13 +131,13 @@ def _at_once(found: FieldNumbers, worst: float) -> Iterator[str]:
     beyond = [n for n, ratio in limits.items() if max(map(abs, found.healthy[n])) > ratio]
     if beyond or (not limits and found.at_limit is not None and worst > found.at_limit):
         yield (
-            "As described, the drive already creeps beyond its limit, where the alarm is set: it "
-            "alarms at once."
+            "As described, the drive already exceeds its creep limit, where the alarm is set: "
+            "it alarms at once."
         )
     elif found.alarms_at(found.worst_seen):
         yield (
-            "One load case sets this alarm, and another shows more without creeping beyond its "
-            "limit: set each load case's own level, that of its creep limit."
+            "One load case sets this alarm, and another shows more within its creep limit: "
+            "set each load case's own level, that of its creep limit."
         )
 
 
@@ -161,7 +161,7 @@ def _rules(found: FieldNumbers, worst: float) -> Iterator[str]:
         )
         yield (
             f"A switch at {rule.name} trips at a difference of {percent(slack, 2)}: {healthy} "
-            f"times the healthy one, {trip} times the trip level given here."
+            f"times the healthy one, {trip} times the trip level in this table."
         )
 
 
@@ -191,7 +191,7 @@ def _levels(found: FieldNumbers) -> Table:
     heads = ("circumference measured", f"{depth} worn since")
     note = (
         "The second column is what shaft speed times the circumference before the wear shows: set "
-        "a level by the first, and keep the circumference measured."
+        "a level by the first, and measure the circumference regularly."
     )
     return Table("Alarm and trip levels", tuple(rows), heads, note, "levels")
 
@@ -223,7 +223,7 @@ def _remarks(found: FieldNumbers) -> Iterator[str]:
             "took, to have the wear in a year."
         )
     if found.at_breakaway is None:
-        yield "No creep marks gross slip: what carries most is approached as creep grows."
+        yield "No creep marks gross slip: the maximum Te is approached as creep grows."
 
 
 def _pairs(differences: Mapping[str, tuple[float, float]]) -> dict[str, dict[str, float]]:

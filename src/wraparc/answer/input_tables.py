@@ -9,7 +9,7 @@ from wraparc.arc import WrapArc
 from wraparc.drive import Drive
 
 _TENSIONS = (
-    "T1 at the entry nip, T2 at the exit nip; computed from power or pull where these are given."
+    "T1 at the entry nip, T2 at the exit nip; computed from power or Te where these are inputs."
 )
 #: Things alike that fit beside each other on a page, with room for their sources.
 _ABREAST = 4

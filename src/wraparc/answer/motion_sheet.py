@@ -93,8 +93,8 @@ def _surface(train: Train) -> Iterator[str]:
 
 
 _NOT_EXCLUDED = (
-    "A pulsation by friction that falls with speed or grows with rest is not in the model: it is "
-    "neither found nor excluded."
+    "Oscillation by friction that falls with speed or grows with rest is not modelled: it is "
+    "neither shown nor excluded."
 )
 
 
@@ -105,12 +105,12 @@ def _run_sentences(run: RunResult) -> Iterator[str]:
         taken, other = (quantity(v, "length", GIVEN_DIGITS) for v in (of.taken, of.other))
         then = named("entry_tension", of.tension)
         yield (
-            f"{of.key} is not given: {taken} of belt is taken. With {other} the largest tension "
+            f"{of.key} is missing: {taken} of belt is taken. With {other} the peak tension "
             f"is {then} instead of {now}."
         )
     yield (
-        f"The largest creep, {named('exit_creep', peak.value)}, comes at {peak.place} "
-        f"after {quantity(peak.time, 'time')}; the largest tension, "
+        f"The peak creep, {named('exit_creep', peak.value)}, comes at {peak.place} "
+        f"after {quantity(peak.time, 'time')}; the peak tension, "
         f"{named('entry_tension', tension.value)}, {tension.place} after "
         f"{quantity(tension.time, 'time')}."
     )
@@ -125,14 +125,14 @@ def _run_sentences(run: RunResult) -> Iterator[str]:
         yield f"Creep left at rest: {left}."
         pulls = [float(d.effective_tension[-1]) for d in run]
         if min(pulls) < -0.02 * max(map(abs, pulls)) < 0.02 * max(map(abs, pulls)) < max(pulls):
-            yield "At rest the drums pull against each other."
+            yield "At rest the drives oppose each other."
 
 
 def _whole_table(run: RunResult) -> Table:
     least = run.least_tension
     rows = [
-        Row("Largest tension", (named("entry_tension", run.peak_tension.value),)),
-        Row("Least tension", (named("exit_tension", least.value),), note=least.place),
+        Row("Peak tension", (named("entry_tension", run.peak_tension.value),)),
+        Row("Minimum tension", (named("exit_tension", least.value),), note=least.place),
         Row("Belt speed at the end", (quantity(float(run.belt_speed[-1]), "speed"),)),
     ]
     return Table("The event", tuple(rows), name="event")
@@ -149,11 +149,11 @@ def _drum_table(run: RunResult) -> Table:
         return row(title, [quantity(peak, dimension) for peak in peaks])
 
     rows = [
-        largest("Largest pull", "pull", "force"),
-        largest("Largest torque", "torque", "torque"),
-        largest(f"Largest {term('exit_creep').title.lower()}", "creep", "length"),
-        largest("Largest slip", "slip", "length"),
-        largest("Largest shear stress", "shear", "pressure"),
+        largest("Peak Te", "pull", "force"),
+        largest("Peak torque", "torque", "torque"),
+        largest(f"Peak {term('exit_creep').title.lower()}", "creep", "length"),
+        largest("Peak slip", "slip", "length"),
+        largest("Peak shear stress", "shear", "pressure"),
         row("Share at the end", [percent(float(d.share[-1])) for d in drums]),
         row(
             "Time over the creep limit",
@@ -173,7 +173,7 @@ def _drum_table(run: RunResult) -> Table:
         rows.append(
             row("Wear of one such event", [NONE if d is None else _thin(d) for d in depths])
         )
-    return Table("The drums", tuple(rows), heads=tuple(d.name for d in drums), name="drums")
+    return Table("The drives", tuple(rows), heads=tuple(d.name for d in drums), name="drums")
 
 
 def work(energy: float) -> str:
@@ -225,8 +225,8 @@ def stability_sheet(result: StabilityResult) -> Sheet:
     """Return the answer to: will it pulsate, why, how much, and what cures it at what cost."""
     own, train = result.controls[0], result.linear.station.train
     return Sheet(
-        title=f"{train.title or 'Drive'}: will it pulsate?",
-        subtitle=f"run-out of the last drum {named('exit_creep', result.run_out)}",
+        title=f"{train.title or 'Drive'}: stability",
+        subtitle=f"run-out of the last pulley {named('exit_creep', result.run_out)}",
         verdict=under(_verdict(result, own), format_verdict(_steady(train))),
         tables=(_sensitivity_table(result), _controls_table(result)),
         remarks=(*_LEFT_OUT, _NOT_EXCLUDED, *_surface(train)),
@@ -297,7 +297,7 @@ def _calm_action(
     if not passing and any_stable and ways:
         passing = [least(ways, ripple)]
     if not passing:
-        return Action("Try a drum with less run-out: none of the usual controls passes.")
+        return Action("Try a pulley with less run-out: none of the usual controls passes.")
     best = min(passing, key=lambda way: (round(way.power_loss, 6), ripple(way)))
     loss = (
         "no power loss" if best.power_loss < 1e-6 else f"{percent(best.power_loss, 2)} power loss"
@@ -325,13 +325,13 @@ def _why(result: StabilityResult) -> Iterator[str]:
     if any(isinstance(d.control, ExactSpeed) for d in drums[1:]) and result.sensitivity:
         worst = largest(result.sensitivity, abs)
         yield (
-            f"At exact speeds 0.1 % of speed moves {percent(abs(worst) * 1e-3, 2)} of the load to "
-            "another drum: nothing gives way to run-out, wear or a splice."
+            f"At exact speeds 0.1 % of speed moves {percent(abs(worst) * 1e-3, 2)} of the load "
+            "to another drive: nothing yields to run-out, wear or a splice."
         )
     if result.softening:
         yield (
-            f"On {' and '.join(result.softening)} the friction falls with slip: past the peak a "
-            "vibration grows into gross slip, not into a lasting pulsation."
+            f"On {' and '.join(result.softening)} the friction falls with slip: past the peak "
+            "an oscillation grows into gross slip, not into a limit cycle."
         )
 
 
@@ -343,21 +343,21 @@ def _cost(answer: ControlAnswer) -> str:
 
 def _sensitivity_table(result: StabilityResult) -> Table:
     root = result.root
-    decay = "in less than 0.33 s" if math.isnan(root.real) else f"in {1.0 / abs(root.real):.3g} s"
+    decay = "below 0.33 s" if math.isnan(root.real) else f"{1.0 / abs(root.real):.3g} s"
     rows = [
         Row(
             "Share moved by 0.1 % of speed",
             (", ".join(percent(s * 1e-3) for s in result.sensitivity) or NONE,),
-            note="all other speeds and the outer tensions held",
+            note="all other speeds and the outer tensions constant",
         ),
         Row(
-            "Least damped vibration",
+            "Vibration of minimum damping",
             (NONE if math.isnan(root.real) else f"{result.frequency:.3g} Hz",),
-            note=f"{'grows' if root.real > 0 else 'dies out'} e-fold {decay}",
+            note=f"{'growth' if root.real > 0 else 'decay'} time constant {decay}",
         ),
     ]
     rows += [
-        Row(f"Gain margin, {name}", (_times(margin),), note="all else as it is")
+        Row(f"Gain margin, {name}", (_times(margin),), note="all else unchanged")
         for name, margin in zip(result.linear.station.names, result.gain_margins, strict=True)
         if not math.isnan(margin)
     ]
@@ -367,7 +367,7 @@ def _sensitivity_table(result: StabilityResult) -> Table:
 def _times(margin: float) -> str:
     """A gain margin in words."""
     if margin >= 1.0:
-        return "beyond a thousandfold" if math.isinf(margin) else f"{margin:.3g} times as high"
+        return "over a thousandfold" if math.isinf(margin) else f"{margin:.3g} times as high"
     return f"must fall to {margin:.3g} times" if margin > 0.0 else NONE
 
 
@@ -384,5 +384,5 @@ def _controls_table(result: StabilityResult) -> Table:
         )
         for c in result.controls
     ]
-    heads = ("pulsates", "swing of pull, 1 a turn", "3 a turn", "power lost")
+    heads = ("oscillates", "Te ripple, 1 per revolution", "3 per revolution", "power lost")
     return Table("What other controls would make of it", tuple(rows), heads, name="controls")

@@ -54,7 +54,7 @@ def files_table(condition: ConditionResult, name: str) -> Table:
     heads = (
         "rows",
         "kept",
-        "of the pull",
+        "of the stroke",
         "normal force",
         headed("slip", "length"),
         "temperature",
@@ -67,8 +67,8 @@ def files_table(condition: ConditionResult, name: str) -> Table:
         "operator",
     )
     note = (
-        "Rows of numbers in the file, those kept, and those of the pull that were fitted; largest "
-        "slip."
+        "Rows of numbers in the file, those used, and those of the stroke that were fitted; "
+        "maximum slip."
     )
     return without_empty(Table(f"Files{name}", tuple(rows), heads, note, "files"))
 

@@ -96,8 +96,8 @@ def _asked_for(result: PlanResult) -> Iterable[tuple[str, str]]:
         ("Rig", rig.name),
         ("Testing machine", rig.machine),
         ("Compliance of the rig", per_force),
-        ("Load cell, pull", rig.force_cell.device),
-        ("Calibration, pull", rig.force_cell.calibration),
+        ("Load cell, force", rig.force_cell.device),
+        ("Calibration, force", rig.force_cell.calibration),
         *_normal_force(result),
     )
 

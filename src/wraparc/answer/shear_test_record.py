@@ -20,7 +20,7 @@ def record_sheet(record: MachineRecord) -> Sheet:
         )
         for column in record.columns
     )
-    rows = [Row("Rows of numbers", (str(record.rows),)), Row("Kept", (str(len(record.travel)),))]
+    rows = [Row("Rows of numbers", (str(record.rows),)), Row("Used", (str(len(record.travel)),))]
     rows += [
         Row("Left out", (str(item.count),), note=f"{item.reason}, from line {item.line}")
         for item in record.dropped

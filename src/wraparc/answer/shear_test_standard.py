@@ -49,7 +49,7 @@ def _law_table(condition: ConditionResult, name: str) -> Table:
         rows.append(Row(_pressure(found.level_pressures()[k]), tuple(cells)))
     note = (
         f"First column: pressure [{unit_of('pressure')}]. \u00b1: expanded uncertainty, every part "
-        "of the budget included. In brackets: beyond the slip of the tests."
+        "of the budget included. In brackets: outside the slip of the tests."
     )
     heads = tuple(map(_slip, STANDARD_SLIPS))
     title, some = f"Law at standard slips{name}", {0, len(rows) // 2, len(rows) - 1}
@@ -151,8 +151,8 @@ def laws_table(condition: ConditionResult, name: str) -> Table:
         "Every law fitted to the same readings of every test, with a lash and a noise of its own. "
         "Parameters of a test; root mean square of what is left over; difference of Akaike's "
         "criterion (AICc) to the best law, summed over the tests: 10 and more speak clearly "
-        "against a law; tests that the law describes best. The lagging file holds the integral-log "
-        "law whatever this table says."
+        "against a law; tests that the law describes best. The lagging file contains the "
+        "integral-log law whatever this table says."
     )
     heads = ("parameters", "remainder", "AICc", f"best of {len(condition.tests)}")
     return Table(f"Laws side by side{name}", rows, heads, note, "laws")

@@ -113,7 +113,7 @@ def verdict(result: PlanResult) -> Verdict:
     if misfit:
         text = f"Fit rejected: the law deviates from its tests ({counted(misfit)})."
         return Verdict(Level.ATTENTION, text, shown, name="fit")
-    text = f"Fit accepted: {total} of {total} tests, largest deviation {_deviation(result)[0]}."
+    text = f"Fit accepted: {total} of {total} tests, maximum deviation {_deviation(result)[0]}."
     unsure = any(NOT_STATED in condition.remarks for condition in result.conditions)
     order = Also(Level.OK, "Test order missing: wear during the tests is not detectable.")
     return Verdict(
@@ -139,7 +139,7 @@ def _remainders(result: PlanResult) -> str:
     swings = [test.curve.swing for test in tests if test.curve.swing is not None]
     largest = max(swings, default=None)
     stick_slip = (
-        f" Stick-slip swings friction by up to {100 * largest.size:.0f} %, every "
+        f" Stick-slip varies friction by up to {100 * largest.size:.0f} %, every "
         f"{quantity(largest.period, 'length', 2)}."
         if largest
         else ""
@@ -201,8 +201,8 @@ def curves_table(condition: ConditionResult, name: str) -> Table:
         for k, test in enumerate(condition.tests)
     )
     note = (
-        "Each curve by itself; \u00b1 is half the 95 % interval. A peak slip in brackets lies "
-        "beyond the tested slip; if the curve hardly determines it, its ends are from the profile "
+        "Each curve by itself; \u00b1 is half the 95 % interval. A peak slip in brackets is "
+        "outside the tested slip; if the curve hardly determines it, its ends are from the profile "
         "of the likelihood (? if it has no upper end). A curve that its law does not describe has "
         "no interval. Noise: standard deviation of one reading of friction."
     )
@@ -211,12 +211,12 @@ def curves_table(condition: ConditionResult, name: str) -> Table:
 
 def _curve_values(test: TestResult) -> tuple[str, ...]:
     fit, q, spread = test.fit, test.fit.parameters, _spread(test)
-    lash = in_unit("length", lambda mm: f"{q.lash / mm:.3g} (held)")
+    lash = in_unit("length", lambda mm: f"{q.lash / mm:.3g} (fixed)")
     if "lash" in fit.free:
         lash = _length(q.lash, spread * fit.error("lash"))
     peak = with_error(q.peak_friction, spread * fit.error("ln_peak_friction") * q.peak_friction)
     if fit.held.peak_friction is not None:
-        peak = f"{q.peak_friction:.3g} (held)"
+        peak = f"{q.peak_friction:.3g} (fixed)"
     return (
         _pressure(test.curve.pressure),
         in_unit("length", lambda mm: _peak_slip(test, mm)),
@@ -231,7 +231,7 @@ def _peak_slip(test: TestResult, size: float) -> str:
     """Peak slip with its interval; in brackets where it is extrapolated."""
     fit, x = test.fit, test.fit.parameters.peak_slip / size
     if fit.held.peak_slip is not None:
-        return f"{x:.3g} (held)"
+        return f"{x:.3g} (fixed)"
     if _spread(test) and test.is_skewed:
         low, high = (end / size for end in test.peak_slip_interval)
         return f"({x:.3g}, {low:.3g} to {'?' if math.isinf(high) else f'{high:.3g}'})"
@@ -323,7 +323,7 @@ def law_table(condition: ConditionResult, name: str) -> Table:
     )
     note = (
         f"First column: {_pressure_head()}. \u00b1 is half the 95 % interval of the law, "
-        "every part of the budget included. A and b hold for slip in mm."
+        "every part of the budget included. A and b are for slip in mm."
     )
     return without_empty(Table(f"Law of all tests{name}", tuple(rows), heads, note, "law"))
 
@@ -396,7 +396,7 @@ def shear_table(condition: ConditionResult, name: str) -> Table:
         "peak friction, off",
         "left in",
     )
-    note = "Shear of sample and rig at the largest force; peaks with it taken off and left in."
+    note = "Shear of sample and rig at maximum force; peaks with it taken off and left in."
     return Table(f"The sample's own shear{name}", tuple(rows), heads, note, "shear")
 
 

@@ -76,7 +76,7 @@ _PICKED: dict[str, _Pick] = {
     "values": _Pick(),
     "ranking": _Pick(most=6, explained=True),
     "rejected": _Pick(most=4),
-    "drums": _Pick(rows=("Largest pull", "Largest torque", "Largest creep", "Time", "Friction w")),
+    "drums": _Pick(rows=("Peak Te", "Peak torque", "Peak creep", "Time", "Friction w")),
     "vibrations": _Pick(),
     "controls": _Pick(),
     "estimates": _Pick(),

@@ -131,7 +131,7 @@ def _chances(title: str, groups: Sequence[Group], units: Mapping[str, Dimension 
             cells += [number(name, value) for value in of[1:3]]
         rows.append(Row(group_name(group, units) or "all", tuple(cells)))
     lacking = any(math.isinf(v) for g in groups for n in outputs for v in g.percentiles[n][1:3])
-    note = "without bound: so many draws have none within the tested pressures" if lacking else ""
+    note = "infinite: so many draws have none within the tested pressures" if lacking else ""
     more = len(groups) - len(rows)
     note += f"; {more} more in the file" if more > 0 else ""
     return Table(title, tuple(rows), tuple(heads), note, "groups")
@@ -189,7 +189,7 @@ def _convergence(summary: Summary, units: Mapping[str, Dimension | None]) -> Tab
     where = ", ".join(part for part in parts if part)
     heads = ("breakaway", f"creep over limit [{CONFIDENCE:.0%} interval]")
     return Table(
-        f"Convergence where it is least certain ({where})", tuple(rows), heads, name="convergence"
+        f"Convergence where it is most uncertain ({where})", tuple(rows), heads, name="convergence"
     )
 
 
@@ -201,7 +201,7 @@ def _index_tables(indices: Global, called: Called) -> Iterator[Table]:
             spread = named(name, found.deviation)
             if not found.inputs:
                 lost = f"{found.lost:,} of {found.samples:,} draws lack the result"
-                note = f"no indices: {lost}; ask for creep_limit_margin, which breakaways have too"
+                note = f"no indices: {lost}; use creep_limit_margin, which gross slip has too"
                 rows = [Row("none", (NONE, NONE))]
                 yield Table(title, tuple(rows), ("alone", "with others"), note, "indices")
                 continue
@@ -267,7 +267,7 @@ def _range(swing: Swing, units: Mapping[str, Dimension | None]) -> str:
 def _remarks(summary: Summary) -> Iterator[str]:
     data = summary.data
     if not summary.groups:
-        yield "Too many combinations to tell apart here: read the file, pandas.read_parquet(...)."
+        yield "Too many combinations to list here: read the file, pandas.read_parquet(...)."
     shares = [
         (g.percentiles["outside_tested_share"][2], g)
         for g in summary.groups

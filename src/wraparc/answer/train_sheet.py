@@ -251,7 +251,7 @@ def matching_sheet(result: TrainResult, matching: Matching) -> Sheet:
             trim_text,
         ),
         _curve_table(
-            "diameter", "Against diameter, drums turning as before", matching.diameter, trim_text
+            "diameter", "Against diameter, pulleys turning as before", matching.diameter, trim_text
         ),
         _curve_table(
             "load", "Against load, speeds and take-up as they are", matching.load, percent
@@ -293,9 +293,9 @@ def _changes_table(matching: Matching) -> Table:
         note = change.after.reason
         rows.append(Row(what, shares, note=note))
     before = tuple(percent(m.share) for m in matching.case.members)
-    rows.insert(0, Row("as it is", before))
+    rows.insert(0, Row("now", before))
     return Table(
-        "Shares when one drum changes, speeds held",
+        "Shares when one pulley changes, speeds constant",
         tuple(rows),
         _names(matching.case),
         name="changed",

@@ -68,7 +68,7 @@ def life_table(result: ArcResult, lagging: Lagging, of: Sources | None = None) -
     note = f"Depth that may be worn off: half the thickness, {depth}."
     if data["life_hours"] is None:
         note += (
-            " The life follows from a wear coefficient, which nobody publishes: calibrate it to a "
+            " The life follows from a wear coefficient, which is not published: calibrate it to a "
             "measured wear (wraparc field --measured-wear), or give wear_coefficient."
         )
     return Table("Life of the lagging", tuple(rows), note=note, name="life")

@@ -143,10 +143,10 @@ def reasons(before: ArcResult, after: ArcResult, several: bool = False) -> Itera
     """
     yield from _tension_words(before.arc, after.arc, several)
     if not after.status.solved:
-        yield "no creep carries its pull."
+        yield "gross slip: no creep transmits its Te."
         return
     if not before.status.solved:
-        yield "it carries the load, which it did not before."
+        yield "it transmits the load; before it slipped."
         return
     told = sorted(_parts(before, after), key=lambda part: -part[0])
     floor = _WORTH_TELLING * abs(before.exit_creep)
@@ -169,16 +169,16 @@ def _tension_words(before: WrapArc, after: WrapArc, several: bool) -> Iterator[s
     pulls = [of("effective_tension", arc) for arc in (before, after)]
     told = f"with {' and '.join(changes)}"
     if pulls[0] == pulls[1]:
-        yield f"{told} the pull stays at {pulls[0]}."
+        yield f"{told} Te stays at {pulls[0]}."
         return
     if several:
-        yield f"{told} the pull goes from {pulls[0]} to {pulls[1]}: the load divides anew."
+        yield f"{told} Te goes from {pulls[0]} to {pulls[1]}: the load divides anew."
         return
     held = {"entry_tension": "T2", "exit_tension": "T1"}[moved[0]] if len(moved) == 1 else ""
-    other = f", {held} held," if held else ""
+    other = f" at constant {held}" if held else ""
     yield (
-        f"{told}{other} the pull T1 - T2 goes from {pulls[0]} to {pulls[1]}; a take-up alone "
-        "leaves the pull as it is and moves T1 and T2 alike."
+        f"{told}{other} Te goes from {pulls[0]} to {pulls[1]}; a take-up alone leaves Te "
+        "unchanged and moves T1 and T2 alike."
     )
 
 

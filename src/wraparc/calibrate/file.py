@@ -58,7 +58,9 @@ _TENSION = Quantity("force", Limit("force", open=True))
 _DRUM_SPEED = "Of its shaft, times the radius over the unloaded lagging."
 ZERO = Table(
     "A record at little load, which zeroes the speed ratio",
-    need("drum_speed", _DRUM_SPEED, _SPEED, example='drum_speed = "3.05 m/s"'),
+    need(
+        "drum_speed", _DRUM_SPEED, _SPEED, title="Pulley speed", example='drum_speed = "3.05 m/s"'
+    ),
     need("belt_speed", "At the nip.", _SPEED, example='belt_speed = "3.1 m/s"'),
     need(
         "sd", "Of the speed ratio.", Text(60), title="Standard deviation", example='sd = "0.01 %"'
@@ -86,15 +88,15 @@ NUMBER = Table(
     need("quantity", kind=Choice(QUANTITIES)),
     Entry("value", "With its unit.", Text(60)),
     need("sd", kind=Text(60), title="Standard deviation", example='sd = "0.1 mm"'),
-    Entry("drum_speed", _DRUM_SPEED, _SPEED),
+    Entry("drum_speed", _DRUM_SPEED, _SPEED, title="Pulley speed"),
     Entry("belt_speed", "At the nip that the quantity is of.", _SPEED),
-    Entry("load_case", "The running one of the largest pull if left out.", Name()),
+    Entry("load_case", "The running one of maximum effective tension if left out.", Name()),
     Entry("provenance", kind=PROVENANCE),
 )
 RECORD = Table(
     "A record of an instrumented pulley",
     need("file", "Relative to this one.", Name(1000)),
-    Entry("load_case", "The running one of the largest pull if left out.", Name()),
+    Entry("load_case", "The running one of maximum effective tension if left out.", Name()),
     Entry("columns", f"By role: {', '.join(ROLES)}.", ByName(Column())),
     Entry("units", "By role, where the file has none.", ByName(Text(40))),
     Entry("signs", "By role: what a driving pulley shows.", ByName(_SIGN)),
@@ -111,7 +113,7 @@ CALIBRATE = Table(
     Entry("method", "distributed if left out.", Choice(tuple(METHODS))),
     Entry(
         "parameters",
-        "What is to be found; a shear modulus is that over the gross area of the lagging.",
+        "What is to be identified; a shear modulus is that over the gross area of the lagging.",
         Rows(Choice(PARAMETERS), 0, 5),
     ),
     Entry("zero", "Belt idling, or nearly so.", ZERO, title="Zero record"),

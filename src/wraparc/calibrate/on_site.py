@@ -75,7 +75,7 @@ def _coefficient(
         return value, f"calibrated to the wear measured: {value * 1e9:.3g} mm3/J"
     if asked.wear_coefficient:
         value = positive_quantity(asked.wear_coefficient, "wear_coefficient", "wear_coefficient")
-        return value, "wear coefficient as given"
+        return value, "wear coefficient as input"
     lagging = drive.pulley(pulley).lagging
     if lagging.wear_coefficient is None:
         return None, ""

@@ -166,7 +166,7 @@ def law_words(lagging: Lagging) -> tuple[list[str], list[str]]:
     law, friction = str(lagging.source_of("law").kind), f"The friction of {lagging.name} is"
     words = [f"{friction} {_LAWS[law]}."] if law in _LAWS else []
     untested = lagging.law.tested is None
-    words += [f"{friction} given without tests."] if untested else []
+    words += [f"{friction} without tests."] if untested else []
     return [law, *(["untested"] if untested else [])], words
 
 

@@ -154,7 +154,7 @@ class Rows:
     def kept(self, others: Sequence[str]) -> str:
         """Say what there is of a run that was cancelled, and which files there are not."""
         parts = " and ".join(str(draft) for draft in self.drafts.values())
-        said = [f"{self.count} rows are kept in {parts}."] if parts else []
+        said = [f"{self.count} rows are saved in {parts}."] if parts else []
         said += [f"{path} was not written." for path in (*self.drafts, *others)]
         if self.state_file:
             said += [f"The same command goes on from {self.state_file}."]

@@ -23,8 +23,8 @@ if TYPE_CHECKING:
 @click.option(
     "--token",
     metavar="TEXT",
-    help='Access token, required beyond this machine; "new" makes one. Other users see what is '
-    "given here: WRAPARC_TOKEN is safer.",
+    help='Access token, required outside this machine; "new" makes one. Other users see it in the '
+    "list of processes: WRAPARC_TOKEN is safer.",
     envvar="WRAPARC_TOKEN",
 )
 @click.option("--new-token", is_flag=True, help="Replace your token; the old one stops working.")
@@ -67,7 +67,7 @@ def serve(
             start_text=start_text,
             workers=workers if workers is not None else max(1, min(8, os.cpu_count() or 1)),
         )
-        with interrupted(lambda: "Every design that was saved is kept."):
+        with interrupted(lambda: "No saved design is lost."):
             run(settings, tell=_tell, browser=browser)
     return 0
 

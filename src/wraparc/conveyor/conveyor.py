@@ -343,7 +343,7 @@ class Conveyor:
             coefficient = _known(self.coefficient, 1.0)
             secondary = (coefficient - 1.0) * main.total
             source = f"{SECONDARY}, C = {coefficient:.3g}"
-            source += "" if self.length_coefficient is None else " (given)"
+            source += "" if self.length_coefficient is None else " (input)"
         yield Resistance("secondary", (1.0 - share) * secondary, share * secondary, source)
         up, down = slope_resistance(self.lift, loaded), -slope_resistance(self.lift, belt)
         yield Resistance("slope", up, down, SLOPE)

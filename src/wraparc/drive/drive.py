@@ -187,7 +187,7 @@ class Drive(Viewable):
             away = any(abs(end - held) > SAME_TENSION * held for end in ends)
             return "at the take-up" if away else ""
         if take_up.fixed:
-            return "" if _alike(ends) else f"of the slack side in load case {self.load_case().name}"
+            return "" if _alike(ends) else f"behind the drives in load case {self.load_case().name}"
         steady = self._steady_end
         if steady == "entry" and not take_up.after:
             return f"at the take-up ahead of pulley {self.pulleys[0].name}"

@@ -167,7 +167,7 @@ ACROSS = Table(
     Entry("build_up", "Material stuck to the pulley, on radius.",
           Profile("length", diameters=True)),
     Entry("misalignment", "Skew of the pulley in the plane of the bisector of its wrap, as slope."),
-    Entry("deflection", "How far the middle of the face is pulled in, relative to its edges."),
+    Entry("deflection", "How far the middle of the face is drawn in, relative to its edges."),
     Entry("entry_profile", "Deviation of the belt tension far before the pulley.",
           Profile("force_per_width")),
     Entry("before", "What the span before comes from; far if left out.", WordOr(_FAR, BEFORE)),

@@ -109,7 +109,7 @@ def simulate(
 
 
 def _told(halt: HaltError, t: float) -> tuple[Outcome, str]:
-    if halt.what == "breaks away":
+    if halt.what == "gross slip":
         return Outcome.BREAKAWAY, f"Gross slip on {halt.place} at {t:.4g} s"
     if halt.what == "turns back":
         return Outcome.TURNED_BACK, f"Pulley {halt.place} turns back at {t:.4g} s"

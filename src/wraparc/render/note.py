@@ -387,11 +387,11 @@ def _assumptions(results: Sequence[DriveResult], train: "TrainResult | None") ->
     if any(pulley.across for pulley in drive.pulleys):
         yield (
             "Across the width alone they are not uniform: the belt is cut into strips that its "
-            "in-plane shear couples, the spans are membranes held to their track."
+            "in-plane shear couples, the spans are membranes fixed to their track."
         )
     told = "The friction law depends on slip and pressure, not on speed, temperature or time"
     if any(lagging.factors is not None for lagging in drive.laggings):
-        told += " (but by the factors among the inputs, the least over the whole arc)"
+        told += " (but by the factors among the inputs, the minimum over the whole arc)"
     yield f"{told}; it is that of the condition named ({_conditions(drive.laggings)})."
     for lagging in (lagging for lagging in drive.laggings if SCALED in lagging.sources):
         yield (
@@ -400,20 +400,21 @@ def _assumptions(results: Sequence[DriveResult], train: "TrainResult | None") ->
         )
     if any(lagging.law.tested is not None for lagging in drive.laggings):
         yield (
-            "Below the lowest tested pressure the coefficient of friction is held constant, above "
-            "the highest the traction; both are extrapolations, as is slip beyond the tested range."
+            "Below the lowest tested pressure the coefficient of friction is constant, above "
+            "the highest the traction; both are extrapolations, as is slip outside the tested "
+            "range."
         )
     if any(p.recovery for p in drive.pulleys):
         yield "The compressed lagging recovers as the pressure falls, which adds creep."
     if train is not None:
         yield (
-            "Friction on runs between drives is as given; the load is divided as the drive file "
+            "Friction on runs between drives is an input; the load is divided as the drive file "
             "says, and belt mass flow is continuous."
         )
     if len(results) > 1:
         yield (
             "The headline numbers are those of the distributed method, which solves equilibrium "
-            "and creep along the wrap; the paper's march stands beside it as a second opinion."
+            "and creep along the wrap; the paper's integration is shown as a second opinion."
         )
 
 
@@ -441,8 +442,8 @@ def _warnings(results: Sequence[DriveResult]) -> Iterator[str]:
     gross = results[0].governing.capacities.gross_slip_capacity
     if gross == gross:
         yield (
-            "The capacity at gross slip extrapolates the friction law, often far beyond any tested "
-            "slip; do not design by it."
+            "The capacity at gross slip extrapolates the friction law, often far outside any "
+            "tested slip; do not design by it."
         )
     yield from method_remarks(results)
     limits = distinct(

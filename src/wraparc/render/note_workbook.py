@@ -15,7 +15,7 @@ from wraparc.arc import ArcResult, DriveResult
 from wraparc.checks import Check, Level
 from wraparc.errors import MissingExtraError
 from wraparc.glossary import GLOSSARY
-from wraparc.provenance import Provenance
+from wraparc.provenance import Kind, Provenance
 from wraparc.render.note import PROGRAM, Note, NoteHead, compose_note, note_inputs
 from wraparc.units import (
     NOTHING,
@@ -116,7 +116,7 @@ class _Workbook:
         elif math.isnan(value):
             sheet.write_blank(row, column, None, style)
         elif math.isinf(value):
-            sheet.write_string(row, column, "without bound", style)
+            sheet.write_string(row, column, "infinite", style)
         else:
             sheet.write_number(row, column, value, style)
 
@@ -316,7 +316,7 @@ class _Workbook:
         for method, arc in enumerate(arcs):
             for k, name in enumerate(quantities):
                 first = method * len(names)
-                words = GLOSSARY[name].title + (", paper's march" if method else "")
+                words = GLOSSARY[name].title + (", paper's integration" if method else "")
                 colour = "#000000" if method else (_BLUE, _ORANGE)[k]
                 line = {"color": colour, "width": 1.0 if method else 2.0}
                 if k:
@@ -392,7 +392,8 @@ _CHARTS = (
 
 def _told(origin: Provenance) -> tuple[str, str, str]:
     source = ", ".join(part for part in (origin.source, origin.date) if part)
-    return origin.kind.value, source, origin.note
+    kind = "input" if origin.kind is Kind.GIVEN else origin.kind.value
+    return kind, source, origin.note
 
 
 def _belongs(arc: ArcResult) -> tuple[str, str, str]:

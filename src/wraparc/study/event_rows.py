@@ -37,10 +37,10 @@ SUFFIXES = (".csv", ".parquet")
 _COLUMNS = (
     ("peak_creep", "peak creep", "m"),
     ("peak_tension", "peak tension", "N"),
-    ("least_tension", "least tension", "N"),
-    ("swing", "swing of the last pull", "-"),
+    ("least_tension", "minimum tension", "N"),
+    ("swing", "Te ripple of the last pulley", "-"),
     ("friction_energy", "friction work", "J"),
-    ("pulsates", "pulsates at", "Hz"),
+    ("pulsates", "oscillates at", "Hz"),
     ("level", "worst check", ""),
     ("label", "verdict", ""),
     ("text", "text", ""),
@@ -86,7 +86,7 @@ def run_event_study(
         rows = _begun(study, part, resume=resume)
 
         def kept() -> str:
-            return f"{len(rows)} of {len(study.designs)} designs are kept in {part}"
+            return f"{len(rows)} of {len(study.designs)} designs are saved in {part}"
 
         with interrupted(lambda: f"{kept()}: go on with --resume."):
             try:

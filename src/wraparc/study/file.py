@@ -240,7 +240,7 @@ def _ground(
     some = f"load case {', '.join(loads)} only" if [*_left_out(drive, loads)] else ""
     known = before(drive)
     against = any(c.name == "take_up" for c in known.checks)
-    take_up = "with tensions that its take-up does not hold" if against else ""
+    take_up = "with tensions that its take-up does not fix" if against else ""
     weak = [kind for kind, _, _ in known.data.items]
     data = f"on {weak[0]} data" if weak else ""
     parts = ("wet not checked" if dry else "", some, take_up, data)
@@ -414,8 +414,8 @@ def _remarks(axes: Sequence[tuple[Axis, Place]], conditions: Sequence[Condition]
     told = [(a.field, a.distribution) for a, _ in axes if isinstance(a, DrawnField)]
     told += [(d.field, d.distribution) for c in conditions for d in c.drawn()]
     return [
-        f"{label_of(name).capitalize()}: {100.0 * (1.0 - d.kept):.2g} % of the distribution "
-        "lies beyond its limits and is left out."
+        f"{label_of(name).capitalize()}: {100.0 * (1.0 - d.kept):.2g} % of the distribution is "
+        "outside its limits and is left out."
         for name, d in told
         if d.kept < 1.0 - 1e-6
     ]

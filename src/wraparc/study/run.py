@@ -114,7 +114,7 @@ def _merge(study: Study, folder: Path, parts: Sequence[Part], path: str | os.Pat
 
 def _kept(folder: Path, parts: Sequence[Part]) -> str:
     count = sum(_file(folder, part).exists() for part in parts)
-    return f"{count} of {len(parts)} parts are kept in {folder}: go on with --resume."
+    return f"{count} of {len(parts)} parts are saved in {folder}: go on with --resume."
 
 
 def run_problems(study: Study, path: str | os.PathLike[str], how: Run) -> list[Problem]:

@@ -89,7 +89,7 @@ def refuse_names(
             message = (
                 "decides how the load divides, as the speeds do"
                 if b == "speed_trim"
-                else "the drums turn as their motors do"
+                else "the pulleys turn as their motors do"
             )
             remedy = "Give one of them." if b == "speed_trim" else "Vary a setting of the motor."
             problems.append(Problem(key=f'column "{a}"', message=message, remedy=remedy))

@@ -23,7 +23,7 @@ from wraparc.units.table import DIMENSIONS, Dimension
 
 #: What stands where there is no number.
 NONE = "-"
-_UNBOUNDED = "without bound"
+_UNBOUNDED = "infinite"
 #: How a cell is shown: with its unit; without, as under a head that has it; the unit alone; as a
 #: share [%]; rounded to the safe side, upwards or down; as a speed of slip; in as many digits as
 #: tell it from another number; a limit, a maximum rounded down and a minimum up, and a value that

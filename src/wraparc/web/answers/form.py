@@ -159,7 +159,7 @@ def form() -> Form:
             _section("motion", "In time", "motion.", filter(_is_plain, MOTION.entries)),
             _section(
                 "motion_drum",
-                "Drums in time",
+                "Drives in time",
                 "motion.drum[].",
                 filter(_is_plain, DRUM.entries),
                 repeated=True,

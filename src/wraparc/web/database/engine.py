@@ -123,7 +123,7 @@ def _is_damage(error: Exception) -> bool:
 def _after_damage(file: str) -> str:
     """Say what can be done with a damaged file."""
     kept = Path(f"{file}{_BACKUP}")
-    found = f"It was left as it is; `sqlite3 {quoted(file)} .recover` may save what is in it."
+    found = f"It is unchanged; `sqlite3 {quoted(file)} .recover` may save what is in it."
     if not kept.exists():
         return f"{found} Name another file with --database."
     day = datetime.fromtimestamp(kept.stat().st_mtime).astimezone()

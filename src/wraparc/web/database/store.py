@@ -280,7 +280,7 @@ def _unavailable(error: SQLAlchemyError, *, writes: bool, committing: bool) -> A
             remedy="Look into the list whether it is there before you save it again.",
         )
         return ApiError(503, problem, {"retry-after": "5"})
-    saved = "Nothing was saved: keep the page open, or save the design as a file."
+    saved = "Nothing was saved: leave the page open, or save the design as a file."
     if "is full" in text or "No space left" in text:
         problem = Problem(message="the disk with the saved designs is full", remedy=saved)
         return ApiError(507, problem)

@@ -88,7 +88,7 @@ function trainFields(t, answer) {
     h(
       "div",
       { class: "field", key: "mode" },
-      h("label", { for: "train-mode" }, "Given"),
+      h("label", { for: "train-mode" }, "Input"),
       h("span", {}),
       h(
         "span",
