@@ -148,7 +148,7 @@ def test_a_new_take_up_tension_says_what_pull_it_implies(tmp_path: Path) -> None
     change = "pulley.head.exit_tension=30 kN"
     ran = wraparc("what-if", drive_file(tmp_path), "--change", change, "--full")
     assert (
-        f"{change}: with T2 from 60 kN to 30 kN, at constant T1 Te goes from "
+        f"{change}: with T2 from 60 kN to 30 kN at constant T1, Te goes from "
         "90 kN to 120 kN; a take-up alone leaves Te unchanged" in ran.words
     )
     assert "the pulley works at a larger tension ratio." in ran.words

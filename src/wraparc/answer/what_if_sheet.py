@@ -169,15 +169,15 @@ def _tension_words(before: WrapArc, after: WrapArc, several: bool) -> Iterator[s
     pulls = [of("effective_tension", arc) for arc in (before, after)]
     told = f"with {' and '.join(changes)}"
     if pulls[0] == pulls[1]:
-        yield f"{told} Te stays at {pulls[0]}."
+        yield f"{told}, Te stays at {pulls[0]}."
         return
     if several:
-        yield f"{told} Te goes from {pulls[0]} to {pulls[1]}: the load divides anew."
+        yield f"{told}, Te goes from {pulls[0]} to {pulls[1]}: the load divides anew."
         return
     held = {"entry_tension": "T2", "exit_tension": "T1"}[moved[0]] if len(moved) == 1 else ""
     other = f" at constant {held}" if held else ""
     yield (
-        f"{told}{other} Te goes from {pulls[0]} to {pulls[1]}; a take-up alone leaves Te "
+        f"{told}{other}, Te goes from {pulls[0]} to {pulls[1]}; a take-up alone leaves Te "
         "unchanged and moves T1 and T2 alike."
     )
 
