@@ -99,7 +99,7 @@ def test_friction_that_swings_without_a_period_is_said_without_a_question() -> N
     share = of.travel / of.travel[-1]
     swing = 1.0 + 0.06 * np.sin(2.0 * np.pi * 80.0 * share**3)
     remarks = judged(replace(of, force=of.force * swing)).remarks
-    (said,) = (text for text in remarks if "swings" in text)
+    (said,) = (text for text in remarks if "oscillates" in text)
     assert said.endswith("slower than the noise of the readings: it may be stick-slip")
 
 

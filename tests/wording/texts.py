@@ -19,8 +19,8 @@ ROOT = Path(__file__).parents[2]
 PAGE = (SOURCE / "web" / "static", SOURCE / "web" / "one_file")
 #: Files of the page that are made from others, and what others wrote.
 MADE = {"built", "vendor", "kernel.js", "reader.js", "cells.js", "train_kernel.js"}
-#: Parts of answers that are files, and what a user has written in one.
-WRITTEN = {"toml", "html", "svg", "document", "drive", "description", "title", "sources"}
+#: Parts of answers that are files, what a user has written in one, and ends of refusals.
+WRITTEN = {"toml", "html", "svg", "document", "drive", "description", "title", "sources", "allowed"}
 #: Functions that mention one of these write refusals, which have a grammar of their own.
 REFUSES = re.compile(r"problem|error|refus|fault|advice|report|^check$|_say$", re.IGNORECASE)
 #: Modules with parts of refusals alone: "must be", and what follows it.

@@ -58,6 +58,12 @@ WORD = re.compile(
 
 def avoidable(text: str) -> list[str]:
     """Return the words of the list in a text."""
+    return [word for word, _ in in_context(text)]
+
+
+def in_context(text: str) -> list[tuple[str, str]]:
+    """Return the words of the list in a text, each with what is around it."""
     for term in TERMS:
         text = re.sub(rf"\b{term}\b", "", text, flags=re.IGNORECASE)
-    return [word for word in WORD.findall(text) if word != "March"]  # the month
+    found = [m for m in WORD.finditer(text) if m[0] != "March"]  # the month
+    return [(m[0], text[max(0, m.start() - 60) : m.end() + 40]) for m in found]

@@ -54,7 +54,7 @@ def input_tables(
         alike.setdefault((kind, *(e.title for e in entries)), []).append(group)
 
     def note(same: Sequence[Input]) -> str:
-        notes = [e.note(of) or (str(e.origin.kind) if e.origin and stated else "") for e in same]
+        notes = [e.note(of) or (e.origin.kind_text if e.origin and stated else "") for e in same]
         return "; ".join(dict.fromkeys(filter(None, notes)))
 
     tables = []

@@ -53,7 +53,7 @@ def files_table(condition: ConditionResult, name: str) -> Table:
         )
     heads = (
         "rows",
-        "kept",
+        "used",
         "of the stroke",
         "normal force",
         headed("slip", "length"),

@@ -15,7 +15,7 @@ from wraparc.arc import ArcResult, DriveResult
 from wraparc.checks import Check, Level
 from wraparc.errors import MissingExtraError
 from wraparc.glossary import GLOSSARY
-from wraparc.provenance import Kind, Provenance
+from wraparc.provenance import Provenance
 from wraparc.render.note import PROGRAM, Note, NoteHead, compose_note, note_inputs
 from wraparc.units import (
     NOTHING,
@@ -392,8 +392,7 @@ _CHARTS = (
 
 def _told(origin: Provenance) -> tuple[str, str, str]:
     source = ", ".join(part for part in (origin.source, origin.date) if part)
-    kind = "input" if origin.kind is Kind.GIVEN else origin.kind.value
-    return kind, source, origin.note
+    return origin.kind_text, source, origin.note
 
 
 def _belongs(arc: ArcResult) -> tuple[str, str, str]:
