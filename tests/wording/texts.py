@@ -61,7 +61,7 @@ def documents() -> Iterator[Text]:
         name = file.relative_to(ROOT)
         for number, line in enumerate([*file.read_text("utf-8").splitlines(), ""], 1):
             mark = FENCE.match(line)
-            is_code = mark and not mark[2].startswith(("{only", "{toctree"))
+            is_code = mark and not mark[2].startswith(("{only", "{toctree")) and line != "````"
             if mark and (is_code or fence):
                 fence = "" if fence == mark[1] else fence or mark[1]
             elif fence:
