@@ -75,7 +75,7 @@ def study_sheet(
         tables=tuple(tables),
         remarks=said,
         sources=tuple(sources),
-        kept=(*said, *(() if told.label else weak_sources(sources))),
+        kept=(*said, *(() if told.data else weak_sources(sources))),
     )
 
 
