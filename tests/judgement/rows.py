@@ -537,7 +537,7 @@ ROWS = (
         level="ATTENTION"),
     Row("friction of five in a study", (('"diamond-rubber"', '"plain"'),
                                         ("", PLAIN.replace("friction = 0.5", "friction = 5.0"))),
-        ("An implausible input governs all", "ATTENTION"), ("OK",), ("study",)),
+        ("governing: an implausible input.", "ATTENTION"), ("OK",), ("study",)),
     Row("a sheave ratio of twenty in a search", (("[design_standard]", SHEAVES),),
         ("ATTENTION", "Sheave ratio of the take-up 20 is outside the usual 0.2 to 8."), ("OK",),
         ("choose",)),
@@ -806,5 +806,5 @@ ROWS = (
     Row("a study of a bond that gives way",
         (('"diamond-rubber"', '"plain"'),
          ("", PLAIN.replace("surface", 'bond_strength = "40 kPa"\nsurface'))),
-        ("ATTENTION", "The bond strength of the lagging governs"), ("OK",), ("study",)),
+        ("ATTENTION", "governing: the bond strength of the lagging."), ("OK",), ("study",)),
 )  # fmt: skip

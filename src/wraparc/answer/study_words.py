@@ -68,8 +68,6 @@ def verdict(summary: Summary) -> Verdict:
     ground = summary.data.get("ground", "") if level is Level.OK else ""
     if left:
         sentences.append(f"Rows leave out {' and '.join(left)}, which `wraparc solve` checks.")
-    if level is Level.OK:
-        ground = ground or ", ".join(f"without {what}" for what in left)
     label = f"{level}, {ground}" if ground else ""
     text, data = _sentence(summary, level, what), summary.data.get("data_line", "")
     return Verdict(level, text, tuple(sentences), label, data=data, name="study")
