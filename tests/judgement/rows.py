@@ -441,7 +441,7 @@ ROWS = (
          "Give pulley_cover, carry_cover and carcass."),
         ("OK",), ("field",)),
     Row("wet and dirty", (("format = 1", 'format = 1\ncondition = ["dry", "wet and dirty"]'),),
-        ("diamond-rubber not tested wet and dirty: dry friction times 0.647 used",), ("OK",),
+        ("diamond-rubber not tested wet and dirty: dry friction times 0.647 (",), ("OK",),
         ("solve", "page"), level="ATTENTION"),
     # sizes
     Row("a wrap that no drive pulley has", (("180 deg", "30 deg"), *tensions("80 kN", "77 kN")),
