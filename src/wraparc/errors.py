@@ -78,15 +78,14 @@ def nearest(given: object, known: Iterable[str]) -> str:
 
 @dataclass(frozen=True, kw_only=True)
 class Problem:
-    """One thing wrong with an input.
+    """One thing wrong with an input, told as ``file: key: fault, got value. Fix.`` in this order.
 
     Parameters
     ----------
     message
-        A sentence (or the end of one that starts with the value): what is wrong, what
-        is allowed.
+        The fault: what is wrong or what is allowed, in a few words.
     remedy
-        A sentence: what to do.
+        The fix: an imperative sentence.
     file
         Path as the user gave it.
     key
@@ -112,8 +111,8 @@ class Problem:
         place = self.file
         if self.line is not None:
             place = f"{place}, line {self.line}" if place else f"line {self.line}"
-        given = " = ".join(part for part in (self.key, self.value) if part)
-        sentence = ": ".join(part for part in (place, given, self.message) if part)
+        fault = f"{self.message}, got {self.value}" if self.value else self.message
+        sentence = ": ".join(part for part in (place, self.key, fault) if part)
         return " ".join(part for part in (_stopped(sentence), _stopped(self.remedy)) if part)
 
 

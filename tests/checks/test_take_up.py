@@ -129,11 +129,11 @@ def test_every_door_names_the_tension_that_is_held(tmp_path: Path) -> None:
     ("old", "new", "sentence"),
     [
         ('"first"\n', '"frist"\n',
-         'take_up.after = "frist": no such pulley; the pulleys are "first", "second". Did you mean '
-         '"first"?'),
+         'take_up.after: no such pulley; the pulleys are "first", "second", got "frist". Did '
+         'you mean "first"?'),
         ('"gravity"', '"fixed"',
-         'take_up.after = "first": a fixed take-up holds the sum of both tensions wherever it '
-         "stands. Leave it out, or correct the kind."),
+         "take_up.after: a fixed take-up holds the sum of both tensions wherever it stands, "
+         'got "first". Leave it out, or correct the kind.'),
         ('share = ["50 %", "50 %"]', 'speeds = "equal"',
          "load_case.empty.train: gives its pull alone, and how much of it the drives behind the "
          "take-up take follows from their speeds or motors. Give exit_tension too, so that the "

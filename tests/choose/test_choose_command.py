@@ -82,14 +82,14 @@ def test_the_picture(file: Path, tmp_path: Path) -> None:
     ("setting", "sentence"),
     [
         ("drive=no.toml", "cannot be read: No such file or directory"),
-        ("pulley=tail", 'pulley = "tail": the drive has no such pulley. It has "head".'),
+        ("pulley=tail", 'pulley: the drive has no such pulley, got "tail". It has "head".'),
         ('candidates.laggings=["diamond-ruber"]', 'Did you mean "diamond-rubber"?'),
         ('candidates.belts=["ST9999"]', "the catalogue has no belt of this name"),
         ("limits.rating_share={stat=1.4}", "the drive has no such load case"),
         (
             "cost.currency=EUR",
-            'cost.currency = "EUR": diamond-rubber, full-ceramic: priced in AUD, and none is '
-            'converted. Write currency = "AUD", or give material',
+            "cost.currency: diamond-rubber, full-ceramic: priced in AUD, and none is "
+            'converted, got "EUR". Write currency = "AUD", or give material',
         ),
         ("cost.lagging={rubber={material=5}}", "no lagging among the candidates"),
         ("cost.lagging.full-ceramic={material=5}", "the cost is not complete"),

@@ -302,10 +302,10 @@ def test_two_outputs_are_two_files(
     (tmp_path / "a.csv").symlink_to(tmp_path / "a.json")
     ran = wraparc("solve", drive, "--json", "a.json", "--csv", "a.csv")
     assert ran.code == 2
-    assert '--csv = "a.csv": --json writes to the same place. Name two files.' in ran.err
+    assert '--csv: --json writes to the same place, got "a.csv". Name two files.' in ran.err
     both = wraparc("solve", drive, "--json", "-", "--csv", "-")
     assert (both.code, both.out) == (2, "")
-    assert '--csv = "-": --json writes to the same place.' in both.err
+    assert '--csv: --json writes to the same place, got "-".' in both.err
 
 
 @pytest.mark.usefixtures("_no_solving")
@@ -339,13 +339,13 @@ def test_every_problem_of_a_file_is_told_in_full_sentences(tmp_path: Path) -> No
 @pytest.mark.parametrize(
     ("arguments", "sentence"),
     [
-        (["--load-case", "emty"], '--load-case = "emty": the drive has no such load case. Did you '
-         'mean "empty"? It has "design", "empty".'),
-        (["--creep-limit", "10"], '--creep-limit = "10": no unit, where a length is needed. Write '
-         'the unit too, for example "1200 mm".'),
-        (["--creep-limit", "-1 mm"], '--creep-limit = "-1 mm": must be more than 0 mm and at most '
-         "1000 mm."),
-        (["--set", "belt.with=1 m"], 'belt.with = "1 m": unknown key. Did you mean "width"?'),
+        (["--load-case", "emty"], '--load-case: the drive has no such load case, got "emty". '
+                                  'Did you mean "empty"? It has "design", "empty".'),
+        (["--creep-limit", "10"], "--creep-limit: no unit, where a length is needed, got "
+                                  '"10". Write the unit too, for example "1200 mm".'),
+        (["--creep-limit", "-1 mm"], "--creep-limit: must be more than 0 mm and at most 1000 "
+                                     'mm, got "-1 mm".'),
+        (["--set", "belt.with=1 m"], 'belt.with: unknown key. Did you mean "width"?'),
     ],
 )  # fmt: skip
 def test_bad_options_are_told_in_full_sentences(

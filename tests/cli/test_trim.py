@@ -207,11 +207,11 @@ gear_ratio = 19
     ("changes", "sentence"),
     [
         ([(SHARE, 'share = ["50 %", "60 %"]')],
-         "train.share = [0.5, 0.6]: the shares must sum to 1 and sum to 1.1. "
-         "Give fractions like 0.5 or 50 %."),
+         "train.share: the shares must sum to 1 and sum to 1.1, got [0.5, 0.6]. Give "
+         "fractions like 0.5 or 50 %."),
         ([(SHARE, 'share = ["50 %", "30 %", "20 %"]')],
-         'train.share = ["50 %", "30 %", "20 %"]: must have one value for each of the 2 pulleys, '
-         "in belt order."),
+         "train.share: must have one value for each of the 2 pulleys, in belt order, got "
+         '["50 %", "30 %", "20 %"].'),
         ([(SHARE, SHARE + '\nspeeds = "equal"')],
          "train: share and speeds each decide how the load divides. Keep one of them."),
         ([("[train]", '[train]\nentry_tension = "160 kN"'),
@@ -269,18 +269,19 @@ def test_a_drum_faster_than_its_motor_allows(tmp_path: Path) -> None:
         (["--drive", "third"], '{}: --drive = "third": no such pulley. Choose one of "second".'),
         (["--load-case", "full"], '{}: --load-case = "full": the train has no such load case. '
          'It has "design", "empty".'),
-        (["--span", "1.1", "0.9"], "span = [1.1, 0.9]: must be two positive numbers, the smaller "
-         "one first."),
-        (["--span", "a", "1"], '--span = "a": not a plain number. Type digits and a decimal '
-         "point, such as 1234.5."),
-        (["--wear", "1 kg"], '--wear = "1 kg": a mass, where a length is needed. Write for example '
-         '"1200 mm".'),
-        (["--wear", "-1 mm"], '--wear = "-1 mm": must be between 0 and the thickness of a lagging, '
-         "12 mm."),
-        (["--wear", "13 mm"], '--wear = "13 mm": must be between 0 and the thickness of a lagging, '
-         "12 mm."),
-        (["--plot", "trim.gif"], '--plot = "trim.gif": the kind of file is told by its ending, '
-         'which must be .svg or .png or .pdf. Write for example "trim.svg".'),
+        (["--span", "1.1", "0.9"], "span: must be two positive numbers, the smaller one "
+                                   "first, got [1.1, 0.9]."),
+        (["--span", "a", "1"], '--span: not a plain number, got "a". Type digits and a '
+                               "decimal point, such as 1234.5."),
+        (["--wear", "1 kg"], '--wear: a mass, where a length is needed, got "1 kg". Write '
+                             'for example "1200 mm".'),
+        (["--wear", "-1 mm"], "--wear: must be between 0 and the thickness of a lagging, 12 "
+                              'mm, got "-1 mm".'),
+        (["--wear", "13 mm"], "--wear: must be between 0 and the thickness of a lagging, 12 "
+                              'mm, got "13 mm".'),
+        (["--plot", "trim.gif"], "--plot: the kind of file is told by its ending, which must "
+                                 'be .svg or .png or .pdf, got "trim.gif". Write for example '
+                                 '"trim.svg".'),
     ],
 )  # fmt: skip
 def test_bad_options(options: list[str], sentence: str) -> None:

@@ -129,13 +129,14 @@ def test_three_that_contradict_each_other() -> None:
 def test_a_pull_beyond_the_tight_side() -> None:
     text = drive({"entry_tension": "150 kN", "effective_tension": "160 kN"})
     assert complaints(text) == [
-        'drive.toml: pulley.p1.effective_tension = "160 kN": leaves an exit tension of -10 kN, '
-        "and a belt cannot push. Give a smaller pull or a larger tension on the slack side."
+        "drive.toml: pulley.p1.effective_tension: leaves an exit tension of -10 kN, and a "
+        'belt cannot push, got "160 kN". Give a smaller pull or a larger tension on the '
+        "slack side."
     ]
     text = drive({"exit_tension": "150 kN", "power": "-450 kW"})
     assert complaints(text) == [
-        'drive.toml: pulley.p1.power = "-450 kW": leaves an entry tension of 0 kN, '
-        "and a belt cannot push. Give a smaller pull or a larger tension on the slack side."
+        "drive.toml: pulley.p1.power: leaves an entry tension of 0 kN, and a belt cannot "
+        'push, got "-450 kW". Give a smaller pull or a larger tension on the slack side.'
     ]
 
 
@@ -150,8 +151,8 @@ def test_power_needs_the_belt_speed() -> None:
 def test_a_faulty_speed_is_not_called_missing() -> None:
     text = drive({"exit_tension": "60 kN", "power": "270 kW"}).replace("3 m/s", "3 mm")
     assert complaints(text) == [
-        'drive.toml: belt.speed = "3 mm": a length, where a speed is needed. '
-        'Write for example "3 m/s".'
+        'drive.toml: belt.speed: a length, where a speed is needed, got "3 mm". Write for '
+        'example "3 m/s".'
     ]
 
 
@@ -267,11 +268,10 @@ def test_faults_of_load_cases() -> None:
     """
     text = drive({"effective_tension": "90 kN", "exit_tension": "60 kN"}, more=more)
     assert complaints(text) == [
-        'drive.toml: load_case[2].pulley.p1.exit = "60 kN": unknown key. '
-        'Did you mean "exit_tension"?',
-        'drive.toml: load_case[2].pulley.p1.power = "90 kN": a force, where a power is needed. '
-        'Write for example "250 kW".',
+        'drive.toml: load_case[2].pulley.p1.exit: unknown key. Did you mean "exit_tension"?',
+        'drive.toml: load_case[2].pulley.p1.power: a force, where a power is needed, got "90 '
+        'kN". Write for example "250 kW".',
         'drive.toml: load_case[3].name: missing. Write name = "start".',
         'drive.toml: load_case[1].pulley.p2: no such pulley. The pulleys are "p1".',
-        'drive.toml: load_case.name = "empty": used 2 times. Give each its own name.',
+        'drive.toml: load_case.name: used 2 times, got "empty". Give each its own name.',
     ]

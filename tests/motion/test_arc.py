@@ -284,7 +284,7 @@ def test_work_of_a_start_goes_where_it_must() -> None:
 
 
 def test_an_overrun_towards_travel_has_no_motion() -> None:
-    sentence = 'overrun = -0.05 mm: is towards travel: .* Set overrun = "0 mm"'
+    sentence = 'overrun: is towards travel: .* Set overrun = "0 mm"'
     with pytest.raises(InputError, match=sentence):
         MovingArc(replace(RIGID, overrun=-5e-5), 20)
 

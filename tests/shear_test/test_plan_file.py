@@ -106,8 +106,8 @@ def test_all_problems_come_at_once() -> None:
         (
             'pressure = "34 kPa"',
             'pressure = "34 kPa"\nnormal_force = "1 kN"',
-            'test[1].normal_force = "1 kN": given, and pressure as well. Keep one of them: '
-            "pressure = normal force / sample area.",
+            'test[1].normal_force: given, and pressure as well, got "1 kN". Keep one of '
+            "them: pressure = normal force / sample area.",
         ),
         ("0.02 mm/kN", "0.02 mm", 'must be a length over a force. Write "0.02 mm/kN".'),
         ("0.02 mm/kN", "0.02 kN/mm", "rig.compliance"),

@@ -184,8 +184,8 @@ def _motors(case: object) -> tuple[object, ...]:
     [
         (
             text('share = ["60 %", "50 %"]'),
-            "t.toml: train.share = [0.6, 0.5]: the shares must sum to 1 and sum to 1.1. Give "
-            "fractions like 0.5 or 50 %.",
+            "t.toml: train.share: the shares must sum to 1 and sum to 1.1, got [0.6, 0.5]. "
+            "Give fractions like 0.5 or 50 %.",
         ),
         (
             text('share = ["60 %", "40 %"]\nspeeds = "equal"'),
@@ -193,21 +193,21 @@ def _motors(case: object) -> tuple[object, ...]:
         ),
         (
             text('share = ["100 %"]'),
-            't.toml: train.share = ["100 %"]: must have one value for each of the 2 pulleys, in '
-            "belt order.",
+            "t.toml: train.share: must have one value for each of the 2 pulleys, in belt "
+            'order, got ["100 %"].',
         ),
         (
             text('share = ["60 %", "40 kW"]'),
-            't.toml: train.share = ["60 %", "40 kW"]: must be all of one kind.',
+            't.toml: train.share: must be all of one kind, got ["60 %", "40 kW"].',
         ),
         (
             text('share = ["60 %", "forty"]'),
-            't.toml: train.share[2] = "forty": must be a share like 0.5 or "50 %", or a power like '
-            '"300 kW".',
+            't.toml: train.share[2]: must be a share like 0.5 or "50 %", or a power like '
+            '"300 kW", got "forty".',
         ),
         (
             text('speeds = "fast"'),
-            't.toml: train.speeds = "fast": must be "equal" or an array of speeds.',
+            't.toml: train.speeds: must be "equal" or an array of speeds, got "fast".',
         ),
         (
             text("share = [0.5, 0.5]", TENSIONS + 'effective_tension = "90 kN"\n'),
@@ -221,8 +221,8 @@ def _motors(case: object) -> tuple[object, ...]:
         ),
         (
             text('motor.a = {kind = "induktion"}\nmotor.b = {kind = "follower", master = "a"}'),
-            't.toml: train.motor.a.kind = "induktion": must be one of "converter", "induction", '
-            '"fluid-coupling", "follower". Did you mean "induction"?',
+            't.toml: train.motor.a.kind: must be one of "converter", "induction", '
+            '"fluid-coupling", "follower", got "induktion". Did you mean "induction"?',
         ),
         (
             text('motor.b = {kind = "follower", master = "a"}'),
@@ -283,8 +283,8 @@ def test_too_many_and_no_pulleys() -> None:
 def test_tensions_of_single_pulleys_are_refused() -> None:
     own = PULLEYS.replace('name = "a"', 'name = "a"\nentry_tension = "150 kN"')
     assert problems(f'{HEAD}{own}[train]\n{TENSIONS}speeds = "equal"') == [
-        't.toml: pulley.a.entry_tension = "150 kN": the tensions of single pulleys follow from '
-        "[train]. Leave it out."
+        "t.toml: pulley.a.entry_tension: the tensions of single pulleys follow from [train], "
+        'got "150 kN". Leave it out.'
     ]
 
 

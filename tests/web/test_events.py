@@ -103,7 +103,7 @@ def test_without_events_the_usual_ones_are_there_and_it_is_said(api: TestClient)
         ("drum.first.control", {"kind": "speed-loop"}, "motion.drum.first.control.bandwidth: mis"),
         ("conveyor_mass", None, "motion.conveyor_mass: missing: a start or stop needs the mass"),
         ("take_up", "fixd", 'Did you mean "fixed"?'),
-        ("event.0.happens.0.file", "/etc/passwd", 'happens[1].file = "/etc/passwd": unknown key'),
+        ("event.0.happens.0.file", "/etc/passwd", "happens[1].file: unknown key"),
     ],
 )
 def test_what_is_wrong_is_told_at_its_field(

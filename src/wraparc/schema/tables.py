@@ -145,7 +145,7 @@ class Table(Kind):
         known = self._known
         for key in [key for key in given if key not in known]:
             remedy = "" if report.full else unknown_key_remedy(key, known)
-            report.add((*place, key), "unknown key", remedy, given[key])
+            report.add((*place, key), "unknown key", remedy)
         record = Record({}, place, given)
         for key, entry in known.items():
             if key in given:
