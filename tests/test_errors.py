@@ -17,7 +17,7 @@ from wraparc import (
 from wraparc.errors import shown
 
 COMMA = Problem(
-    message="a comma can mean a decimal point or a thousands separator",
+    message="a comma can mean decimal point or thousands separator",
     remedy='Write "1.5 kN".',
     file="drive.toml",
     key="pulley.head.exit_tension",
@@ -27,8 +27,8 @@ COMMA = Problem(
 
 def test_a_problem_names_place_value_cause_and_remedy() -> None:
     assert str(COMMA) == (
-        "drive.toml: pulley.head.exit_tension: a comma can mean a decimal point or a "
-        'thousands separator, got "1,5 kN". Write "1.5 kN".'
+        "drive.toml: pulley.head.exit_tension: a comma can mean decimal point or thousands "
+        'separator, got "1,5 kN". Write "1.5 kN".'
     )
 
 

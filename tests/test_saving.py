@@ -69,17 +69,15 @@ def test_a_good_place_is_left_as_it_was(tmp_path: Path) -> None:
 def test_bad_places_in_full_sentences(tmp_path: Path) -> None:
     given = tmp_path / "in.json"
     given.write_text("", "utf-8")
-    assert sentence(tmp_path) == f'is a folder, got "{tmp_path}". Name a file in that folder.'
+    assert sentence(tmp_path) == f"{tmp_path}: is a folder. Name a file in it."
     assert sentence(tmp_path / "no" / "a") == (
-        f'there is no folder "{tmp_path}/no", got "{tmp_path}/no/a". Make the folder first.'
+        f"{tmp_path}/no/a: its folder does not exist. Make the folder first."
     )
     assert sentence(given, inputs=[given], key="--json") == (
-        f'--json: is the file that is read, and would be written over, got "{given}". Choose '
-        "another name."
+        f'--json: must not be a file that is read, got "{given}". Choose another name.'
     )
     assert sentence("a.jpg", suffixes=(".svg", ".png")) == (
-        'the kind of file is told by its ending, which must be .svg or .png, got "a.jpg". '
-        'Write for example "a.svg".'
+        'a.jpg: must end in .svg or .png. Write for example "a.svg".'
     )
     assert "cannot be written" in sentence("a\x00b")
 

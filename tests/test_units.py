@@ -176,48 +176,45 @@ def test_every_unit_agrees_with_pint(name: str, registry: "pint.UnitRegistry[flo
     [
         (
             "1,5 kN",
-            ('a comma can mean a decimal point or a thousands separator, got "1,5 kN". Write '
-            '"1.5 kN".'),
+            ('a comma can mean decimal point or thousands separator, got "1,5 kN". Write '
+              '"1.5 kN".'),
         ),
         (
             "0,25 kN",
-            ('a comma can mean a decimal point or a thousands separator, got "0,25 kN". Write '
-            '"0.25 kN".'),
+            ('a comma can mean decimal point or thousands separator, got "0,25 kN". Write '
+              '"0.25 kN".'),
         ),
         (
             "1,200 N",
-            ('a comma can mean a decimal point or a thousands separator, got "1,200 N". Write '
-            '"1200 N" or "1.200 N".'),
+            ('a comma can mean decimal point or thousands separator, got "1,200 N". Write '
+              '"1200 N" or "1.200 N".'),
         ),
         (
             "1,200,000 N",
-            ('a comma can mean a decimal point or a thousands separator, got "1,200,000 N". '
-            'Write "1200000 N".'),
+            ('a comma can mean decimal point or thousands separator, got "1,200,000 N". '
+              'Write "1200000 N".'),
         ),
         (
             "1.800,5 N",
-            ('a comma can mean a decimal point or a thousands separator, got "1.800,5 N". '
-            'Write "1800.5 N".'),
+            ('a comma can mean decimal point or thousands separator, got "1.800,5 N". Write '
+              '"1800.5 N".'),
         ),
         (
             "1,5e3 N",
-            ('a comma can mean a decimal point or a thousands separator, got "1,5e3 N". Write '
-            '"1.5e3 N".'),
+            ('a comma can mean decimal point or thousands separator, got "1,5e3 N". Write '
+              '"1.5e3 N".'),
         ),
         (
             "1 800 N",
-            ('digits in groups can be read as one number or as several, got "1 800 N". Write '
-            '"1800 N".'),
+            ('digits in groups can be one number or several, got "1 800 N". Write "1800 N".'),
         ),
         (
             "1'800 N",
-            ("digits in groups can be read as one number or as several, got \"1'800 N\". Write "
-            '"1800 N".'),
+            ("digits in groups can be one number or several, got \"1'800 N\". Write \"1800 N\"."),
         ),
         (
             "1_800 N",
-            ('digits in groups can be read as one number or as several, got "1_800 N". Write '
-            '"1800 N".'),
+            ('digits in groups can be one number or several, got "1_800 N". Write "1800 N".'),
         ),
         ("nan kN", ('not a finite number, got "nan kN". Give the size that was measured or '
                    "meant.")),
@@ -230,23 +227,20 @@ def test_every_unit_agrees_with_pint(name: str, registry: "pint.UnitRegistry[flo
                      "exponent.")),
         (
             "１２ kN",
-            ('digits other than 0-9, got "１２ kN". Type digits and a decimal point, such as '
-            "1234.5."),
+            ('digits other than 0-9, got "１２ kN". Write digits and a decimal point: 1234.5.'),
         ),
         (
             "5１ kN",
-            ('digits other than 0-9, got "5１ kN". Type digits and a decimal point, such as '
-            "1234.5."),
+            ('digits other than 0-9, got "5１ kN". Write digits and a decimal point: 1234.5.'),
         ),
         (
             "--5 kN",
-            ('not a plain number, got "--5 kN". Type digits and a decimal point, such as '
-            "1234.5."),
+            ('not a plain number, got "--5 kN". Write digits and a decimal point: 1234.5.'),
         ),
         (
             "1/2 kN",
-            ('a fraction, where a decimal number is needed, got "1/2 kN". Type digits and a '
-            "decimal point, such as 1234.5."),
+            ('a fraction, where a decimal number is needed, got "1/2 kN". Write digits and a '
+              "decimal point: 1234.5."),
         ),
         ("−5 kN", "a typographic minus sign, got \"−5 kN\". Use the plain hyphen-minus '-'."),
         ("", 'empty, where a number is needed, got "". Write a number.'),
@@ -264,13 +258,11 @@ def test_every_unit_agrees_with_pint(name: str, registry: "pint.UnitRegistry[flo
                       "newtons?")),
         (
             "5 xyzzy",
-            ('unknown unit "xyzzy", got "5 xyzzy". The units are listed in the documentation; '
-            "case matters."),
+            ('unknown unit "xyzzy", got "5 xyzzy". Write for example "150 kN".'),
         ),
         (
             "5 J/m m",
-            ('the unit "J/m m" cannot be read, got "5 J/m m". Write a product of units with '
-            "at most one '/', a product below it in brackets: \"kN/m\", \"N m\", \"mm3/(N m)\"."),
+            ('the unit "J/m m" cannot be read, got "5 J/m m". Write for example "150 kN".'),
         ),
         (
             "5 degC/m",

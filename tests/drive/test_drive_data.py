@@ -157,10 +157,10 @@ def test_pulley_and_load_case_by_name() -> None:
     assert DRIVE.pulley() is DRIVE.pulley("head") is DRIVE.pulleys[0]
     assert DRIVE.load_case() is DRIVE.load_case("design") is DRIVE.load_cases[0]
     assert sentences(lambda: DRIVE.pulley("tail")) == [
-        '"tail": the drive has no such pulley. It has "head".'
+        'the drive has no such pulley, got "tail". Write one of "head".'
     ]
     assert sentences(lambda: DRIVE.load_case("desing")) == [
-        '"desing": the drive has no such load case. Did you mean "design"? It has "design".'
+        ('the drive has no such load case, got "desing". Did you mean "design"?')
     ]
 
 

@@ -74,11 +74,10 @@ def between(low: str, high: str, value: str) -> str:
         (
             'speed = "3 m/s"',
             'colour = "black"',
-            "belt.colour: unknown key. The keys here are preset, name, kind, width, modulus, "
-            "rating, strength, speed, momentary_factor, least_pulley_diameter, "
-            "largest_wrap_pressure, in_plane_shear_stiffness, pulley_cover, carry_cover, "
-            "carcass, thickness, cover_shear_modulus, cord_diameter, cord_pitch, mass, "
-            "provenance, sources.",
+            (
+                "belt.colour: unknown key. Write one of preset, name, kind, width, modulus, "
+                "rating and 16 more."
+            ),
         ),
         ('name = "head"', "", 'pulley[1].name: missing. Write name = "head".'),
         # dimensions
@@ -103,14 +102,18 @@ def between(low: str, high: str, value: str) -> str:
         (
             '"150 kN"',
             '"1,5 kN"',
-            "pulley.head.entry_tension: a comma can mean a decimal point or a thousands "
-            'separator, got "1,5 kN". Write "1.5 kN".',
+            (
+                "pulley.head.entry_tension: a comma can mean decimal point or thousands "
+                'separator, got "1,5 kN". Write "1.5 kN".'
+            ),
         ),
         (
             '"60 kN"',
             '"1 800 N"',
-            "pulley.head.exit_tension: digits in groups can be read as one number or as "
-            'several, got "1 800 N". Write "1800 N".',
+            (
+                'pulley.head.exit_tension: digits in groups can be one number or several, got "1 '
+                '800 N". Write "1800 N".'
+            ),
         ),
         (
             '"150 kN"',
@@ -160,17 +163,19 @@ def between(low: str, high: str, value: str) -> str:
         (
             'exit_tension = "60 kN"',
             'effective_tension = "150 kN"',
-            "pulley.head.effective_tension: leaves an exit tension of 0 kN, and a belt "
-            'cannot push, got "150 kN". Give a smaller pull or a larger tension on the slack '
-            "side.",
+            (
+                'pulley.head.effective_tension: leaves an exit tension of 0 kN, got "150 kN". '
+                "Lower Te, or raise T2."
+            ),
         ),
         # names
         (
             "Plylon Plus 1000/4",
             "Plylon 1000/4",
-            'belt.preset: the catalogue has no belt of this name, got "Plylon 1000/4". Did '
-            'you mean "Plylon Plus 1000/4" or "Plylon Plus 1800/4" or "Plylon Plus 1000/5"? '
-            "The command `wraparc belts` lists them.",
+            (
+                'belt.preset: the catalogue has no belt of this name, got "Plylon 1000/4". Did '
+                'you mean "Plylon Plus 1000/4" or "Plylon Plus 1800/4" or "Plylon Plus 1000/5"?'
+            ),
         ),
         (
             'preset = "Plylon Plus 1000/4"',
@@ -180,24 +185,26 @@ def between(low: str, high: str, value: str) -> str:
         (
             "diamond-rubber",
             "diamond",
-            'pulley.head.lagging: the catalogue has no lagging of this name, got "diamond". '
-            'Did you mean "diamond-rubber"? The command `wraparc laggings` lists them.',
+            (
+                'pulley.head.lagging: the catalogue has no lagging of this name, got "diamond". '
+                'Did you mean "diamond-rubber"?'
+            ),
         ),
         (
             '"diamond-rubber"',
             '"diamond-rubber"\ncondition = "wett"',
-            'pulley.head.condition: lagging "diamond-rubber" was tested dry, and nothing is '
-            "published on its friction when wett (covered: of rubber dry, wet, wet and "
-            'dirty), got "wett". Did you mean "wet"? Give what it leaves of the friction, '
-            'condition = { name = "wett", friction_factor = 0.8 }, or add a law for it to '
-            "the lagging.",
+            (
+                'pulley.head.condition: lagging "diamond-rubber" has no friction in this '
+                'condition, got "wett". Did you mean "wet"?'
+            ),
         ),
         (
             "diamond-rubber",
             "../secret.toml",
-            "pulley.head.lagging: the path of a file cannot be used here, got "
-            '"../secret.toml". Choose one of diamond-rubber, full-ceramic, medium-ceramic, '
-            "or put the lagging into the drive file as a [lagging.NAME] table.",
+            (
+                'pulley.head.lagging: cannot be a path here, got "../secret.toml". Write a '
+                "catalogue name, or add a [lagging.NAME] table."
+            ),
         ),
         # kinds of values
         (
@@ -225,8 +232,7 @@ def between(low: str, high: str, value: str) -> str:
         (
             "format = 1",
             "format = 2",
-            "format: the file is of a newer format; this version of wraparc reads up to 1, "
-            "got 2. Update wraparc.",
+            "format: must be at most 1 for this version of wraparc, got 2. Update wraparc.",
         ),
         (
             "format = 1",
@@ -258,14 +264,18 @@ def test_one_fault_of_a_drive_file(old: str, new: str, expected: str) -> None:
         (
             '"690 kPa"',
             '"20 kPa"',
-            'law.knots[2].pressure: not above the pressure of the row before, "34 kPa", got '
-            '"20 kPa". Write the rows in order of rising pressure.',
+            (
+                'law.knots[2].pressure: must be more than "34 kPa" of the row before, got "20 '
+                'kPa". Sort the rows by pressure.'
+            ),
         ),
         (
             '"690 kPa"',
             '"0.34 bar"',
-            'law.knots[2].pressure: not above the pressure of the row before, "34 kPa", got '
-            '"0.34 bar". Write the rows in order of rising pressure.',
+            (
+                'law.knots[2].pressure: must be more than "34 kPa" of the row before, got "0.34 '
+                'bar". Sort the rows by pressure.'
+            ),
         ),
         (
             "peak_friction = 0.4",
@@ -302,18 +312,18 @@ def test_one_fault_of_a_drive_file(old: str, new: str, expected: str) -> None:
         (
             'elastic_modulus = "6.9 MPa"',
             "",
-            "shear_modulus: missing, and the lagging is not rigid. "
-            "Give shear_modulus, or elastic_modulus, of which it is a third.",
+            "shear_modulus: missing for a lagging with thickness. "
+            "Give shear_modulus or elastic_modulus.",
         ),
         (
             'thickness = "12 mm"',
             "",
-            'thickness: missing, where elastic_modulus is given. Write thickness = "12 mm".',
+            'thickness: missing: elastic_modulus needs it. Write thickness = "12 mm".',
         ),
         (
             'thickness = "12 mm"',
             'thickness = "12 mm"\ncompression_modulus = "10 MPa"\nblock = { width = "3 cm" }',
-            "block: given, and the compression modulus as well. Keep one of them.",
+            "block: contradicts compression_modulus. Remove one of them.",
         ),
         (
             'thickness = "12 mm"',
@@ -376,7 +386,7 @@ def test_repeated_pulleys() -> None:
         'pulley.name: used 2 times, got "head". Give each its own name.'
     ]
     more = "".join(second.replace("head", f"head {i}") for i in range(10))
-    assert problems(DRIVE + more) == ["pulley: must have 1 to 10 entries, and has 11."]
+    assert problems(DRIVE + more) == ["pulley: must have 1 to 10 entries, got 11."]
 
 
 def test_a_flood_of_faults_is_cut() -> None:
@@ -433,22 +443,22 @@ def test_broken_text(text: str, sentence: str) -> None:
         (
             "a = " + "[" * 100_000,
             "in.toml: holds 100,000 lists and tables; at most 20,000 are read. "
-            "Is it the right file?",
+            "Check that it is the right file.",
         ),
         (
             "a = " + "[" * 61 + "]" * 61,
-            "in.toml: is nested too deeply: lists and tables in more than 60 others. "
-            "Is it the right file?",
+            "in.toml: is nested more than 60 deep. Check that it is the right file.",
         ),
         (
             "x = " + "9" * 5000,
-            "in.toml: a key or number of more than 200 characters. Is it the right file?",
+            "in.toml: a key or number of more than 200 characters. "
+            "Check that it is the right file.",
         ),
         (
             "a." * 41 + "b = 1",
-            "in.toml, line 1: a key of more than 10 parts. Is it the right file?",
+            "in.toml, line 1: a key of more than 10 parts. Check that it is the right file.",
         ),
-        ("# " + "x" * 5_000_000, "in.toml: is too large. Is it the right file?"),
+        ("# " + "x" * 5_000_000, "in.toml: is too large. Check that it is the right file."),
     ],
 )
 def test_text_that_would_choke_the_reader(text: str, expected: str) -> None:
@@ -472,13 +482,16 @@ def load_error(path: Path) -> str:
 
 def test_files_that_cannot_be_read(tmp_path: Path) -> None:
     file = tmp_path / "drive.toml"
-    assert load_error(file) == "PATH: cannot be read: No such file or directory. Check the path."
-    assert load_error(tmp_path) == "PATH: is a folder. Give the path of a file in it."
+    assert load_error(file) == "PATH: file not found."
+    assert load_error(tmp_path) == "PATH: is a folder. Name a file in it."
     file.write_bytes(b"x" * 5_000_001)
-    assert load_error(file) == "PATH: is 5.0 MB large, more than 5 MB. Is it the right file?"
+    assert (
+        load_error(file)
+        == "PATH: is 5.0 MB large, more than 5 MB. Check that it is the right file."
+    )
     file.write_bytes(b'format = 1\ntitle = "F\xf6rderer"\n')
     assert load_error(file) == (
-        "PATH, line 2: is not UTF-8 text: byte 0xf6 at position 21. Save it as UTF-8."
+        "PATH, line 2: is not UTF-8 text: byte 0xf6. Save it as UTF-8 text."
     )
     file.write_bytes(b"")
     assert "format: missing" in load_error(file)
@@ -505,9 +518,9 @@ def test_lagging_files_are_relative_to_the_drive_file(tmp_path: Path) -> None:
     file = tmp_path / "drive.toml"
     file.write_text(DRIVE.replace("diamond-rubber", "laggings/mine.toml"))
     assert load_drive(file).pulleys[0].lagging == load_lagging(tmp_path / "laggings" / "mine.toml")
-    with pytest.raises(InputError, match="the path of a file cannot be used here"):
+    with pytest.raises(InputError, match="cannot be a path here"):
         load_drive(file, allow_paths=False)
-    with pytest.raises(InputError, match="the path of a file cannot be used here"):
+    with pytest.raises(InputError, match="cannot be a path here"):
         load_lagging(tmp_path / "laggings" / "mine.toml", allow_paths=False)
 
 
@@ -515,8 +528,7 @@ def test_faults_of_a_lagging_file_name_that_file(tmp_path: Path) -> None:
     file, lagging = tmp_path / "drive.toml", tmp_path / "mine.toml"
     file.write_text(DRIVE.replace("diamond-rubber", "mine.toml"))
     assert load_error(file).replace(str(tmp_path), "DIR") == (
-        "PATH: pulley.head.lagging: DIR/mine.toml cannot be read: No such file or directory, "
-        'got "mine.toml". Check the path.'
+        'PATH: pulley.head.lagging: DIR/mine.toml: file not found, got "mine.toml".'
     )
     lagging.write_text(LAGGING.replace("12 mm", "12 kN"))
     assert load_error(file).replace(str(tmp_path), "DIR") == (
@@ -530,7 +542,7 @@ def test_faults_of_a_lagging_file_name_that_file(tmp_path: Path) -> None:
     [
         (
             '{ preset = "diamond-rubber", thickness = "0 mm" }',
-            'lagging.thickness: must be at least 0.1 mm, the height of its blocks, got "0 mm".',
+            'lagging.thickness: must be at least 0.1 mm with blocks, got "0 mm".',
         ),
         (
             '{ surface = "rubber", law = { kind = "table", friction = 0.5 } }',

@@ -122,18 +122,18 @@ def test_both_words_for_the_wrap_angle() -> None:
     [
         (
             "pulley.tail.diameter=1 m",
-            'drive.toml: pulley.tail.diameter: pulley has nothing called "tail"; there is '
-            '"head", "no. 2", got "1 m".',
+            ('drive.toml: pulley.tail.diameter: pulley has nothing called "tail", got "1 m". '
+             'Write one of "head", "no. 2".'),
         ),
         (
             "pulley.haed.diameter=1 m",
-            'drive.toml: pulley.haed.diameter: pulley has nothing called "haed"; there is '
-            '"head", "no. 2", got "1 m". Did you mean "head"?',
+            ('drive.toml: pulley.haed.diameter: pulley has nothing called "haed", got "1 m". '
+             'Did you mean "head"?'),
         ),
         (
             "pulley[3].diameter=1 m",
-            'drive.toml: pulley[3].diameter: pulley has nothing called 3; there is "head", '
-            '"no. 2", got "1 m".',
+            ('drive.toml: pulley[3].diameter: pulley has nothing called 3, got "1 m". Write '
+             'one of "head", "no. 2".'),
         ),
         (
             "belt.width.mm=3",
