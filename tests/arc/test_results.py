@@ -181,7 +181,7 @@ def test_everything_wrong_with_an_arc_is_told_at_once() -> None:
 
 
 def test_a_kick_beyond_what_a_law_holds_is_refused() -> None:
-    with pytest.raises(InputError, match=r"where this law starts to slip, got 0\.005 m\. Set"):
+    with pytest.raises(InputError, match=r"where this law starts to slip, got 0\.005 m\. Write"):
         replace(ARC, overrun=5e-3)
 
 

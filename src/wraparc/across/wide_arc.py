@@ -94,13 +94,13 @@ class WideArc:
                 value=display(self.arc.thickness - float(self.thickness[worst]), "length"),
                 message="must be less than the lagging thickness "
                 + display(self.arc.thickness, "length"),
-                remedy="Give the depth worn off, not what is left.",
+                remedy="Give the depth worn off.",
             )
         if jumps(self.arc.law.compact()) and not np.all(self.shear > 0.0):
             raise input_error(
                 key="lagging",
                 message="creep is undetermined: the law starts with a jump on a rigid lagging",
-                remedy="Give the lagging a thickness and a shear modulus.",
+                remedy="Give thickness and shear modulus.",
             )
 
     @property

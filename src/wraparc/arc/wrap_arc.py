@@ -217,7 +217,7 @@ class WrapArc:
                     key="overrun",
                     value=f"{self.entry_overrun:g} m",
                     message=f"must be within {held:g} m of 0, where this law starts to slip",
-                    remedy='Set overrun = "0 mm" for this law.',
+                    remedy='Write overrun = "0 mm".',
                 )
             )
         return problems

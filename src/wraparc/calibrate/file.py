@@ -373,7 +373,7 @@ def _check_zero(
             ("zero", "belt_speed"),
             f"puts the tension member {1e3 * high:.3g} mm above the lagging, not 0 to "
             f"{1e3 * MOST_THICKNESS:g} mm",
-            "Check both speeds and the diameter.",
+            "Check speeds and diameter.",
             record.raw.get("belt_speed", NOTHING),
         )
 

@@ -232,6 +232,6 @@ def _sign(name: str, mean: Array, side: float, given: int | None) -> float:
         raise input_error(
             key=f"signs.{name}",
             message=f"the {name.replace('_', ' ')} changes its sign under the belt",
-            remedy="Write 1 if it is positive on a driving pulley, else -1.",
+            remedy="Write 1 if positive on a driving pulley, else -1.",
         )
     return 1.0 if share * side > 0.0 else -1.0

@@ -162,7 +162,7 @@ class Belt:
             message = (
                 f"must be {'at most' if thin else least} {layers} = {display(total, 'length')}"
             )
-            remedy = "Leave one of the four out." if thin else "Correct it, or leave it out."
+            remedy = "Leave one out." if thin else "Correct or omit it."
         return [Problem(message=message, remedy=remedy, key=key, value=display(value, "length"))]
 
     @property

@@ -90,7 +90,7 @@ class Pulley:
                     value=display(worn.largest, "length"),
                     message="must be less than the lagging thickness "
                     + display(self.lagging.thickness, "length"),
-                    remedy="Give the depth worn off, on radius, not what is left.",
+                    remedy="Give the depth worn off, on radius.",
                 )
             )
         raise_all(problems)

@@ -114,7 +114,7 @@ class Profile(Kind):
             return True
         report.add(
             place,
-            f"must be a deviation of the radius of at most {display(_LARGEST, 'length')}",
+            f"must be a deviation of radius up to {display(_LARGEST, 'length')}",
             'Correct it, or write on = "diameter".',
             quantity_text(worst / half, "length"),
         )

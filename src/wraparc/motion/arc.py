@@ -221,7 +221,7 @@ def _refuse(arc: WrapArc) -> None:
     if not has_memory(arc.law):
         raise input_error(
             key=where,
-            message="the measured table is not concave from 0: its unloading is unknown",
+            message="the measured table must be concave from 0",
             remedy="Fit an integral-log law, or smooth it.",
         )
     if law.kind == LIMIT and arc.shear_compliance + law.onset_compliance == 0.0:

@@ -69,10 +69,10 @@ def choose_columns(
             candidates = _candidates(named, data, role, given, columns, guess=not demanded)
             if not candidates and role is Role.FORCE and choices.stress_area is not None:
                 candidates = [(column, 0.0) for column in stresses(named, given)]
-            column = _best(named, data, role, given, candidates, problems, notes, file)
+            column = _best(named, data, role, given, candidates, problems, notes, file, choices)
         if column is None:
             continue
-        unit = _unit_of(column, role, given, file, problems, choices.stress_area)
+        unit = _unit_of(column, role, given, file, problems, choices)
         if unit is not None:
             columns[role] = (column, unit)
             notes.extend(filter(None, [unit.note]))
@@ -92,16 +92,17 @@ def _best(
     problems: list[Problem],
     notes: list[str],
     file: str,
+    choices: Choices,
 ) -> NamedColumn | None:
     """The best candidate, if there is one and no other may as well be meant."""
     if not candidates:
         if role in _NEEDED:
-            problems.append(_no_column(named, role, file))
+            problems.append(_no_column(named, role, file, choices))
         return None
     best = candidates[0][0]
     rivals = _rivals(named, data, role, given, candidates)
     if rivals:
-        problems.append(_no_column(named, role, file, [best, *rivals]))
+        problems.append(_no_column(named, role, file, choices, [best, *rivals]))
         return None
     if len(candidates) > 1:
         notes.append(_choice_note(role, [column for column, _ in candidates]))
@@ -249,17 +250,17 @@ def _unit_of(
     given: Mapping[int, str],
     file: str,
     problems: list[Problem],
-    stress_area: float | None,
+    choices: Choices,
 ) -> ColumnUnit | None:
     dimension = ROLE_DIMENSION[role]
     text = given.get(column.index, column.unit)
     stress = read_unit(text) if role is Role.FORCE else None
     if stress is not None and stress.dimension == "pressure":
-        if stress_area is None:
-            problems.append(_no_area(column, text, file))
+        if choices.stress_area is None:
+            problems.append(_no_area(column, text, file, choices))
             return None
-        note = f"the force is {column.label!r} [{text}] times {stress_area * 1e4:.6g} cm2"
-        return ColumnUnit(text, "force", stress.factor * stress_area, note)
+        note = f"the force is {column.label!r} [{text}] times {choices.stress_area * 1e4:.6g} cm2"
+        return ColumnUnit(text, "force", stress.factor * choices.stress_area, note)
     unit = read_unit(text, dimension)
     stated = read_unit(column.unit, dimension)
     if unit is not None and unit.dimension == dimension:
@@ -275,7 +276,9 @@ def _unit_of(
     problems.append(
         Problem(
             message=f"column {column.label} {said}",
-            remedy=f"Add --unit '{column.label}=?'.",
+            remedy=f'Add units = {{ {shown(column.label)} = "?" }}.'
+            if choices.in_plan
+            else f"Add --unit '{column.label}=?'.",
             file=file,
         )
     )
@@ -294,12 +297,17 @@ def stresses(named: Sequence[NamedColumn], given: Mapping[int, str]) -> list[Nam
     ]
 
 
-def _no_area(column: NamedColumn, text: str, file: str) -> Problem:
+def _no_area(column: NamedColumn, text: str, file: str, choices: Choices) -> Problem:
     return Problem(
         message=f"column {column.label} holds a stress [{text}], not a force",
-        remedy="Add --stress-area (in a plan: stress_area), or export the force.",
+        remedy=f"Add {_option('stress_area', choices)}, or export the force.",
         file=file,
     )
+
+
+def _option(key: str, choices: Choices) -> str:
+    """Return what states a choice: a key of the plan, or an option of the command line."""
+    return key if choices.in_plan else f"--{key.replace('_', '-')}"
 
 
 def _choice_note(role: Role, candidates: Sequence[NamedColumn]) -> str:
@@ -324,14 +332,18 @@ def _unknown_column(
 
 
 def _no_column(
-    named: Sequence[NamedColumn], role: Role, file: str, rivals: Sequence[NamedColumn] = ()
+    named: Sequence[NamedColumn],
+    role: Role,
+    file: str,
+    choices: Choices,
+    rivals: Sequence[NamedColumn] = (),
 ) -> Problem:
     stress = [c for c in named if role is Role.FORCE and is_stress(c.name)]
-    option = role.value.replace("_", "-")
+    option = _option(role.value, choices)
     names = [f"{shown(c.label)} [{c.unit}]" if c.unit else shown(c.label) for c in rivals or named]
-    remedy = f"Add --{option} with one of {format_list(names, 4)}."
+    remedy = f"Add {option} with one of {format_list(names, 4)}."
     if stress:
-        remedy = f"Add --{option}, or --stress-area for {shown(stress[0].label)}."
+        remedy = f"Add {option}, or {_option('stress_area', choices)} for {shown(stress[0].label)}."
     return Problem(
         message=f"{role.value.replace('_', ' ')} column unclear", remedy=remedy, file=file
     )

@@ -193,5 +193,5 @@ def _test(record: Record, position: int, common: Any, report: Report) -> Any:
         choices["normal_force"] = said["normal_force_column"]
     units = {**common.get("units", {}), **record.get("units", {})}
     pull = {"stroke": said.get("stroke", "first"), "stick_slip": said.get("stick_slip", "")}
-    own = Choices(units=units, **choices)
+    own = Choices(units=units, in_plan=True, **choices)
     return TEST.built(record, report, place=place, choices=own, **pull)

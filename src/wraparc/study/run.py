@@ -251,5 +251,5 @@ def _stopped(error: OSError, path: str | os.PathLike[str], done: int, total: int
     return input_error(
         value=shown(os.fspath(path)),
         message=f"{reason}; {done} of {total} parts are done",
-        remedy="Make room and go on with --resume." if full else "Go on with --resume.",
+        remedy="Go on with --resume.",
     )

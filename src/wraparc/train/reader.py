@@ -26,9 +26,7 @@ from wraparc.train.train import Division, Motors, Shares, Speeds, TrainCase
 from wraparc.units import display
 
 _MODES = ("share", "speeds", "motor")
-_DIVIDE = (
-    'Write share = ["50 %", "50 %"], speeds = "equal", or a [train.motor.NAME] for each pulley.'
-)
+_DIVIDE = 'Write share = ["50 %", "50 %"], speeds = "equal" or [train.motor.NAME].'
 #: How far powers may miss the total pull that the tensions make.
 _POWER_SUM = 5e-3
 
