@@ -45,8 +45,8 @@ class Quantity:
 #: What became of quantities by their old names.
 RENAMED: Mapping[str, str] = MappingProxyType(
     {
-        "gross_slip_margin": "Now gross_slip_safety, the number of the check; the former "
-        "ratio, extrapolated outside the tests, is extrapolated_gross_slip_margin."
+        "gross_slip_margin": "Write gross_slip_safety, or extrapolated_gross_slip_margin for the "
+        "former ratio."
     }
 )
 QUANTITIES: tuple[Quantity, ...] = (

@@ -109,7 +109,7 @@ def test_the_command(tmp_path: Path) -> None:
         (["--hours", "6000"], "no load case with hours"),
         (["--hours", "full=6000"], "the drive has no such load case"),
         (["--hours", "design=9000"], "must be between 0 and 8784"),
-        (["--hours", "design=6000", "--hours", "empty=3000"], "9000 in all, and a year has 8784"),
+        (["--hours", "design=6000", "--hours", "empty=3000"], "must sum to at most 8784"),
         (["--measured-wear", "4 mm"], "needed with a measured wear: the hours that it took"),
         (["--measured-wear", "4", "--wear-hours", "design=1"], "no unit"),
         (["--depth", "30 mm"], "more than the lagging has, 12 mm"),

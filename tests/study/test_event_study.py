@@ -176,5 +176,5 @@ def test_the_shipped_study_counts_its_values_evenly() -> None:
 
 def test_options_of_other_studies_are_refused(tmp_path: Path) -> None:
     file = DRIVE.parent / "studies" / "start-ramp.toml"
-    assert "--part: is not for a study over an event" in wraparc("study", file, "--part", "5").err
+    assert "--part: not for a study over an event" in wraparc("study", file, "--part", "5").err
     assert "6 designs, each followed through start" in wraparc("study", file, "--dry-run").out

@@ -125,7 +125,7 @@ def test_parts_of_another_study_are_not_taken(tmp_path: Path) -> None:
     path = tmp_path / "a.parquet"
     with pytest.raises(_Stop):
         run_study(small(), path, Run(part_designs=16, progress=_stopping(16)))
-    with pytest.raises(InputError, match="an interrupted run has left its parts beside it"):
+    with pytest.raises(InputError, match="an interrupted run has left parts beside it"):
         run_study(small(), path)
     with pytest.raises(InputError, match="the parts there are of another study"):
         run_study(small(setting="precise"), path, Run(resume=True))

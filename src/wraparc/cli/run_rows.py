@@ -114,8 +114,8 @@ class Rows:
         while kept < (rows + 1 if rows else 0) and part.readline():
             kept += 1
         if rows and kept < rows + 1:
-            message = f"has {max(kept - 1, 0)} rows; the saved state follows on row {rows}"
-            remedy = "Remove the saved state, and begin anew."
+            message = f"has {max(kept - 1, 0)} rows, and the saved state {rows}"
+            remedy = "Remove the saved state."
             raise input_error(key="--csv", value=part.name, message=message, remedy=remedy)
         part.seek(part.tell())
         part.truncate()

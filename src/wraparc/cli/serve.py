@@ -79,8 +79,8 @@ def _token(host: str, given: str | None, new: bool) -> str:
     from wraparc.web.token import own_token
 
     if new and given:
-        message = "replaces your own token, and another is given here"
-        remedy = "Leave out --token and WRAPARC_TOKEN, or --new-token."
+        message = "contradicts the token in --token or WRAPARC_TOKEN"
+        remedy = "Leave out one of the two."
         raise input_error(key="--new-token", message=message, remedy=remedy)
     if given == "new":
         given = secrets.token_urlsafe(24)
@@ -107,7 +107,7 @@ def _checked_token(host: str, token: str | None) -> str:
             key="--host",
             value=shown(host),
             message="the server would be open to the network",
-            remedy="Add --token new, which makes and prints a token, or leave out --host.",
+            remedy="Add --token new, or leave out --host.",
         )
     if not TOKEN.fullmatch(token):
         raise input_error(

@@ -114,9 +114,8 @@ class Profile(Kind):
             return True
         report.add(
             place,
-            f"a deviation of the radius is expected, at most {display(_LARGEST, 'length')}",
-            "Give deviations from the even radius; for those of the diameter, or diameters, write "
-            '{ rows = [...], on = "diameter" }.',
+            f"must be a deviation of radius up to {display(_LARGEST, 'length')}",
+            'Correct it, or write on = "diameter".',
             quantity_text(worst / half, "length"),
         )
         return False

@@ -31,7 +31,7 @@ from wraparc.checks import Verdict as Judgement
 from wraparc.checks import judge
 from wraparc.drive import Drive, Lagging
 from wraparc.drive.conditions import SCALED
-from wraparc.errors import InputError, Problem
+from wraparc.errors import InputError, Problem, name_remedy
 from wraparc.errors import shown as quoted
 from wraparc.friction import Equation
 from wraparc.render.drawings import (
@@ -108,8 +108,10 @@ class NoteHead:
                 message = f"must be printable text of at most {_LONGEST} characters"
                 problems.append(Problem(key=f.name, value=quoted(value), message=message))
         if self.paper not in PAPERS:
-            message = f"no such paper, only {' and '.join(PAPERS)}"
-            problems.append(Problem(key="paper", value=quoted(self.paper), message=message))
+            message, remedy = "no such paper", name_remedy(self.paper, PAPERS)
+            problems.append(
+                Problem(key="paper", value=quoted(self.paper), message=message, remedy=remedy)
+            )
         if problems:
             raise InputError(problems)
 

@@ -121,8 +121,8 @@ def _begun(study: EventStudy, part: Path, *, resume: bool) -> list[EventRow]:
     rows: list[EventRow] = []
     if part.exists():
         if not resume:
-            message = "an interrupted run has left its rows beside it"
-            remedy = f"Go on with --resume, or remove {part}."
+            message = "an interrupted run has left rows there"
+            remedy = "Go on with --resume, or remove them."
             raise input_error(
                 key="--output", value=shown(str(part)), message=message, remedy=remedy
             )
@@ -148,8 +148,8 @@ def _read(part: Path, key: str) -> list[EventRow]:
     except (OSError, ValueError, TypeError, KeyError):
         mine = False
     if not mine:
-        message = "the rows there are of another study, or the study has changed since"
-        remedy = "Remove the file, or write to another one."
+        message = "holds rows of another study"
+        remedy = "Remove it, or write another file."
         raise input_error(key="--resume", value=shown(str(part)), message=message, remedy=remedy)
     return rows
 

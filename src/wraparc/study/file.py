@@ -18,7 +18,7 @@ from wraparc.checks.of_wet import estimate_factor
 from wraparc.checks.rule import At
 from wraparc.drive import DESIGN, Drive, Lagging
 from wraparc.drive.criteria import is_wet
-from wraparc.errors import InputError, nearest
+from wraparc.errors import InputError, name_remedy
 from wraparc.files.drive_file import overridden
 from wraparc.files.drive_keys import DRIVE, TENSIONS
 from wraparc.files.lagging_file import is_path, load_lagging
@@ -114,7 +114,7 @@ def study_from_document(document: Document, *, file: str = "", folder: str = "")
     known = tuple(c for c in conditions if c is not None)
     _shares(known, report)
     if drive.criteria.covered and any(is_wet(c.name) for c in known):
-        message = "the drive is covered = true, and a covered drive never runs wet"
+        message = "contradicts covered = true"
         report.add(("condition",), message, "Leave out covered or the condition.")
     outputs = _outputs(record, OUTPUTS, report)
     sensitivity = _sensitivity(record, report)
@@ -220,7 +220,7 @@ def _each_once(axes: Sequence[tuple[Axis, Place]], report: Report) -> None:
         report.add(("axis",), "only one lagging can be drawn from its fit", "Keep one.")
     for axis, place in axes:
         if place in fits and not isinstance(axis, DrawnFit):
-            message = "a lagging cannot be drawn from its fit and be exchanged as well"
+            message = "the lagging is drawn from its fit already"
             report.add(("axis",), message, "Keep one of the two.", axis.field)
 
 
@@ -264,8 +264,7 @@ def _outputs(
     known = output_names()
     for name in names:
         if name not in known:
-            remedy = RENAMED.get(name) or nearest(name, known)
-            remedy = remedy or f"There are {', '.join(known)}."
+            remedy = RENAMED.get(name) or name_remedy(name, known)
             report.add(("outputs",), "no such result", remedy, name)
     return names
 
@@ -300,7 +299,7 @@ def _plan(
         report.add(("sampling",), message, "Write [sampling] with samples and seed.")
     if table is not None and not drawn:
         message = "nothing is drawn at random"
-        report.add(("sampling",), message, "Give an axis a distribution, or take [sampling] out.")
+        report.add(("sampling",), message, "Give an axis a distribution, or remove [sampling].")
     if sensitivity and (levels or not drawn):
         message = "needs every axis to have a distribution"
         report.add(("sensitivity",), message, "Give each axis its plausible range: uniform.")
@@ -366,8 +365,8 @@ def _differs(
             differs |= not _same(one, other, within)
             changes |= not _same(source.rows({}, 1, case), other, within)
     if not changes and len(trials) > 1:
-        message = f"changes nothing on pulley {source.pulley} in these load cases"
-        report.add(place, message, "Take it out, or name another load case or pulley.")
+        message = f"changes nothing on pulley {source.pulley}"
+        report.add(place, message, "Remove it, or name another pulley.")
     return differs
 
 
