@@ -55,6 +55,7 @@ def drive_sheet(
     results: Sequence[DriveResult],
     detail: Sequence[int] | None = None,
     train: TrainResult | None = None,
+    of: Sources | None = None,
 ) -> Sheet:
     """Return everything to show of a solved drive.
 
@@ -66,12 +67,14 @@ def drive_sheet(
         Positions in `DriveResult.arcs` to show in full; the governing arc unless given.
     train
         What the pulleys are of, where they are those of a train: it is judged.
+    of
+        Takes the sources, where more refers to them than the sheet.
     """
     first = results[0]
     whole = train or first
     if detail is None:
         detail = [first.arcs.index(first.governing)]
-    of = Sources()
+    of = Sources() if of is None else of
     tables = [conditions_table(first, whole)] if first.drive.conditions else []
     tables.append(check_table(judge(whole), of))
     least = least_table(whole)

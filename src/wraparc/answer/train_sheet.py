@@ -4,7 +4,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from math import isnan
 
-from wraparc.answer.drive_sheet import drive_sheet, read_sheet
+from wraparc.answer.drive_sheet import drive_sheet, read_sheet, with_sides
 from wraparc.answer.input_tables import input_tables
 from wraparc.answer.inputs import drive_inputs
 from wraparc.answer.sheet import (
@@ -47,6 +47,7 @@ def train_sheet(
     pulleys: Sequence[DriveResult] = (),
     *,
     search: bool = True,
+    of: Sources | None = None,
 ) -> Sheet:
     """Return everything to show of a solved train.
 
@@ -60,11 +61,14 @@ def train_sheet(
         Its pulleys by one method or several; as in the train unless given.
     search
         Whether changes of the drive are tried for the action.
+    of
+        Takes the sources, where more refers to them than the sheet.
     """
-    arcs = drive_sheet(list(pulleys) or [result.drive_result()], detail, result)
+    results = list(pulleys) or [result.drive_result()]
+    arcs = drive_sheet(results, detail, result, of)
     checks = 1 + bool(least_tension(result)) + bool(result.train.conditions)
     tables = (*arcs.tables[:checks], *train_tables(result), *arcs.tables[checks:])
-    verdict = train_verdict(result, search=search)
+    verdict = with_sides(train_verdict(result, search=search), results)
     return replace(arcs, verdict=verdict, tables=tables)
 
 
