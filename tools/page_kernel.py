@@ -29,6 +29,7 @@ from wraparc.answer import (
     words,
 )
 from wraparc.answer import least_tension as leasts
+from wraparc.answer.key_figures import figure_of
 from wraparc.answer.sheet import term
 from wraparc.arc import Status, answer, capacity, grip, profile
 from wraparc.catalogue import loader
@@ -214,6 +215,7 @@ OF_FILES: dict[Any, str] = {
     limits.is_number: "isNumber",
     errors.shown: "$shown",
     term: "term",
+    figure_of: "figureOf",
 }
 #: Methods of what is read that nothing asks for there, or that ask for arrays.
 UNREAD = ("written", "schema", "rows", (MeasuredTable, "compact"))
@@ -238,7 +240,8 @@ def train_module() -> str:
     """Return the module of the train page as it must stand in its file."""
     kernel = _kernel()
     kernel.text()
-    instead: dict[Any, Any] = {of: of.__name__ for of in (display, percent, quantity, term)}
+    natives = (display, percent, quantity, term, figure_of)
+    instead: dict[Any, Any] = {of: of.__name__ for of in natives}
     found = translated(TRAIN_ENTRIES, "wraparc", instead, kernel.exports)
     text = found.text()
     taken = f'import {{ {", ".join(sorted(found.taken))} }} from "../static/{FILE.name}";\n'

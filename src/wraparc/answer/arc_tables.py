@@ -3,6 +3,7 @@
 import math
 from collections.abc import Callable
 
+from wraparc.answer.key_figures import figure_of, further_figures
 from wraparc.answer.sheet import Row, Table, between, named, percent, row_of, term
 from wraparc.arc import ArcResult
 from wraparc.checks import Level
@@ -83,6 +84,7 @@ def answer_table(results: Results) -> Table:
     if first.exit_creep_ratio < 0.0:
         note = "negative: belt faster than the lagging surface, entry to exit"
     rows.append(Row("Creep ratio", _values(results, _creep_ratios), "g", note))
+    rows += [_key_row(results, figure.name) for figure in further_figures()]
     return Table(f"Result: {belongs(first)}", tuple(rows), heads(results), name="result")
 
 
@@ -99,6 +101,10 @@ def creep_interval_text(result: ArcResult) -> str:
 
 def _creep_ratios(result: ArcResult) -> str:
     return f"{percent(result.entry_creep_ratio)} to {percent(result.exit_creep_ratio)}"
+
+
+def _key_row(results: Results, name: str) -> Row:
+    return row_of(name, *(figure_of(result, name) for result in results))
 
 
 def _pressures(result: ArcResult) -> str:

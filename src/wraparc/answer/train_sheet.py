@@ -7,6 +7,7 @@ from math import isnan
 from wraparc.answer.drive_sheet import drive_sheet, read_sheet, with_sides
 from wraparc.answer.input_tables import input_tables
 from wraparc.answer.inputs import drive_inputs
+from wraparc.answer.key_figures import figure_of, key_figures
 from wraparc.answer.sheet import (
     NONE,
     Row,
@@ -121,14 +122,31 @@ def case_table(case: CaseResult) -> Table:
         small("drum_ratio", lambda m: m.drum_ratio - 1.0, "exactly, for equal diameters"),
         known("rotation_speed", lambda m: m.rotation_speed, 6),
         row("speed_trim", lambda m: trim_text(m.speed_trim), "what a speed control is set to"),
-        _creep_row(case),
+        *[_key_row(case, f.name) for f in key_figures("drives") if _has_key_row(members, f.name)],
+        _sensitivity_row(case),
     ]
-    if not all(isnan(m.arc.capacities.creep_limit_margin) for m in members):
-        rows.append(told("creep_limit_margin", lambda m: m.arc.capacities.creep_limit_margin))
-    rows.append(row("power_loss", _lost, _loss_note(case)))
-    rows.append(_sensitivity_row(case))
     note = _precision(case) if case.status is TrainStatus.SOLVED else case.reason
     return Table(f"Drives: load case {case.case.name}", tuple(rows), _names(case), note, "drives")
+
+
+def _has_key_row(members: Sequence[MemberResult], name: str) -> bool:
+    """Whether a key figure is a row of its own: tensions stand above, a margin may be unknown."""
+    if name in ("entry_tension", "exit_tension", "effective_tension"):
+        return False
+    searched = name == "creep_limit_margin"
+    return not (searched and all(isnan(figure_of(m.arc, name)) for m in members))
+
+
+def _key_row(case: CaseResult, name: str) -> Row:
+    """Return the row of a key figure of the drives."""
+    if name == "exit_creep":
+        return _creep_row(case)
+    entry, members = term(name), case.members
+    if name == "power_loss":
+        texts = tuple(_lost(m) for m in members)
+        return Row(entry.title, texts, entry.symbol, _loss_note(case), name)
+    values = tuple(named(name, figure_of(m.arc, name)) for m in members)
+    return Row(entry.title, values, entry.symbol, name=name)
 
 
 def _share(m: MemberResult) -> str:

@@ -5,3 +5,6 @@ export {
   display__display as display,
 } from "../static/cells.js";
 export { term } from "../static/documents.js";
+
+/** A key figure of an arc. @param {any} arc @param {string} name @returns {number} */
+export const figure_of = ({ figures }, name) => figures[name] ?? Number.NaN;

@@ -24,6 +24,12 @@ export const factor = (name, dimension) => app.form.units[dimension]?.factors?.[
 export const dimensionOf = (name) => app.form.glossary[name]?.dimension || "number";
 /** @param {string} name @returns {string} */
 export const title = (name) => app.form.glossary[name]?.title || name;
+/** Names of the key figures that have a place of their own there, in their order.
+ * @param {string} place @returns {string[]} */
+export const keyFigures = (place) =>
+  app.form.key_figures
+    .filter(({ elsewhere }) => !elsewhere.includes(place))
+    .map(({ name }) => name);
 /** @param {string} name */
 export const symbol = (name) => sign(app.form.glossary[name]?.symbol);
 
