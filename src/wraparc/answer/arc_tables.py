@@ -57,6 +57,7 @@ def answer_table(results: Results) -> Table:
         "Wrap pressure, entry to exit",
         _values(results, _pressures),
         "p",
+        name="wrap_pressure",
     )
     rows = [
         row(
@@ -83,7 +84,7 @@ def answer_table(results: Results) -> Table:
     note = "belt slower than the lagging surface, entry to exit"
     if first.exit_creep_ratio < 0.0:
         note = "negative: belt faster than the lagging surface, entry to exit"
-    rows.append(Row("Creep ratio", _values(results, _creep_ratios), "g", note))
+    rows.append(Row("Creep ratio", _values(results, _creep_ratios), "g", note, "creep_ratio"))
     rows += [_key_row(results, figure.name) for figure in further_figures()]
     return Table(f"Result: {belongs(first)}", tuple(rows), heads(results), name="result")
 

@@ -35,7 +35,7 @@ from wraparc.train import (
     TrainResult,
     TrainStatus,
 )
-from wraparc.units import GIVEN_DIGITS, RESULT_DIGITS
+from wraparc.units import GIVEN_DIGITS, RESULT_DIGITS, fixed
 
 Cell = Callable[[MemberResult], str]
 Number = Callable[[MemberResult], float]
@@ -215,15 +215,12 @@ def _motor_extras(points: Sequence[MotorPoint]) -> list[str]:
 
 def signed(ratio: float) -> str:
     """Return a small ratio as percent with its sign: ``-0.3121 %``."""
-    if isnan(ratio):
-        return NONE
-    text = f"{100.0 * ratio:+.4f} %"
-    return "0" if text in ("+0.0000 %", "-0.0000 %") else text
+    return fixed(ratio, 4, "percent signed")
 
 
 def trim_text(trim: float) -> str:
     """Return a trim as percent of nominal: ``99.655 %``."""
-    return NONE if isnan(trim) else f"{100.0 * trim:.3f} %"
+    return fixed(trim, 3, "percent fixed")
 
 
 def _creep_row(case: CaseResult) -> Row:
@@ -290,7 +287,12 @@ def _curve_table(name: str, title: str, curve: ShareCurve, text: Callable[[float
     """Where something happens along a curve."""
     names = [m.name for m in curve.case.members]
     rows = tuple(
-        Row(f"{names[mark.drive]} {mark.kind}", (text(mark.value),), note=_place(mark))
+        Row(
+            f"{names[mark.drive]} {mark.kind}",
+            (text(mark.value),),
+            note=_place(mark),
+            name=mark.kind.name.lower(),
+        )
         for mark in curve.marks
     )
     low, high = text(float(curve.values[0])), text(float(curve.values[-1]))

@@ -1,5 +1,6 @@
 // What Python has in the words of trains, for what is translated of these.
 export {
+  cell__fixed as fixed,
   cell__percent as percent,
   cell__quantity as quantity,
   display__display as display,

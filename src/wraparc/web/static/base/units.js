@@ -70,12 +70,19 @@ export function words(text) {
   });
   return parts.join("") + all.slice(text.cells.at(-1)?.at[1]).join("");
 }
+/** A number beside another: without its unit, where that has the same.
+ * @param {Text} text @param {Text} other */
+export function besideUnit(text, other) {
+  const shown = words(text);
+  const at = shown.indexOf(" ");
+  return at > 0 && words(other).endsWith(shown.slice(at)) ? shown.slice(0, at) : shown;
+}
 // biome-ignore lint/suspicious/noControlCharactersInRegex: what no other text holds
 const SLOT = /\x02([a-z_]+)\|([1-9]\d?)\|([a-z -]*)\|([^|]+)\|([^|]+)\|\w*\x03/g;
 /** @param {import("../types.d.ts").Cell} cell */
-const inUnits = ({ value, name = "", dimension, digits = 3, form = "", from, apart }) =>
+const inUnits = ({ value, name = "", dimension, digits = 3, form = "", from, apart, error }) =>
   cellText(
-    ...[value, dimension ?? dimensionOf(name), digits, form, from ?? apart ?? Number.NaN],
+    ...[value, dimension ?? dimensionOf(name), digits, form, from ?? apart ?? error ?? Number.NaN],
     app.units,
   );
 
