@@ -15,8 +15,8 @@ def check_words(check: Check, system: System = "si") -> str:
 
 def verdict_words(verdict: Verdict, system: System = "si") -> str:
     """Return all that a verdict says of what is missed, and its reasons."""
-    checks = [verdict.governing, *verdict.also] if verdict.governing else []
-    return " ".join(check_words(check, system) for check in checks if check)
+    checks = [] if verdict.governing is None else [verdict.governing, *verdict.also]
+    return " ".join(check_words(check, system) for check in checks)
 
 
 def worded(text: Any, system: System = "si") -> str:

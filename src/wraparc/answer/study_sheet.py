@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from typing import Any
 
 from wraparc.alike import ALIKE
 from wraparc.answer.sheet import (
@@ -75,8 +76,13 @@ def study_sheet(
         tables=tuple(tables),
         remarks=said,
         sources=tuple(sources),
-        kept=(*said, *(() if told.label else weak_sources(sources))),
+        kept=(*said, *(weak_sources(sources) if _varies_lagging(data) else ())),
     )
+
+
+def _varies_lagging(data: Mapping[str, Any]) -> bool:
+    """Return whether designs differ by lagging: the data line is that of the drive as it is."""
+    return any(name.endswith(".lagging") for name in data["levels"])
 
 
 def _group_tables(summary: Summary, units: Mapping[str, Dimension | None]) -> Iterator[Table]:

@@ -68,10 +68,9 @@ def verdict(summary: Summary) -> Verdict:
     ground = summary.data.get("ground", "") if level is Level.OK else ""
     if left:
         sentences.append(f"Rows leave out {' and '.join(left)}, which `wraparc solve` checks.")
-    if level is Level.OK:
-        ground = ground or ", ".join(f"without {what}" for what in left)
     label = f"{level}, {ground}" if ground else ""
-    return Verdict(level, _sentence(summary, level, what), tuple(sentences), label, name="study")
+    text, data = _sentence(summary, level, what), summary.data.get("data_line", "")
+    return Verdict(level, text, tuple(sentences), label, data=data, name="study")
 
 
 def _sentence(summary: Summary, level: Level, what: str) -> str:

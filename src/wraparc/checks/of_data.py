@@ -19,7 +19,10 @@ def _condition(of: Spot) -> Iterator[Check]:
     lagging = of.pulley.lagging
     if SCALED in lagging.sources:
         factor = lagging.scaled_by
-        used = f"dry friction {'scaled' if factor is None else f'times {factor:.3g} used'}"
+        used = "dry friction scaled"
+        if factor is not None:  # the name of a condition may have several words
+            several = " " in lagging.condition
+            used = f"dry friction times {factor:.3g}{'' if several else ' used'}"
         full = f"Source of the factor: {origin(lagging.sources[SCALED])}."
         yield _untested(of, lagging.condition, SCALED, used, full)
     if WORN in lagging.sources:

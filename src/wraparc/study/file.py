@@ -134,6 +134,7 @@ def study_from_document(document: Document, *, file: str = "", folder: str = "")
         outputs=tuple(dict.fromkeys((*outputs, *sensitivity))),
         description={"study": _plain(document), "drive": _plain(base)},
         ground=_ground(drive, pulley, loads, known),
+        data_line=before(drive).data.text,
     )
     return StudyFile(
         study=study,
@@ -233,17 +234,14 @@ def _left_out(drive: Drive, loads: Sequence[str]) -> Iterator[str]:
 def _ground(
     drive: Drive, pulley: str, loads: Sequence[str], conditions: Sequence[Condition]
 ) -> str:
-    """Return what limits an OK: some load cases, unknown wet friction, and weak data."""
+    """Return what limits an OK: some load cases, unknown wet friction, tensions no take-up has."""
     of = drive.pulley(pulley)
     spots = (At(drive=drive, case=drive.load_case(name), pulley=of) for name in loads)
     dry = not conditions and any(math.isnan(estimate_factor(at)) for at in spots)
     some = f"load case {', '.join(loads)} only" if [*_left_out(drive, loads)] else ""
-    known = before(drive)
-    against = any(c.name == "take_up" for c in known.checks)
+    against = any(c.name == "take_up" for c in before(drive).checks)
     take_up = "with tensions that its take-up does not hold" if against else ""
-    weak = [kind for kind, _, _ in known.data.items]
-    data = f"on {weak[0]} data" if weak else ""
-    parts = ("wet not checked" if dry else "", some, take_up, data)
+    parts = ("wet not checked" if dry else "", some, take_up)
     return ", ".join(part for part in parts if part)
 
 

@@ -4862,12 +4862,16 @@ let tested;
 return ((tested == null) ? null : tested.pressure_min);
 }
 function* of_data___condition(of) {
-let factor, full, lagging, used;
+let factor, full, lagging, several, used;
 
 (lagging = of.pulley.lagging);
 if (($in("condition", lagging.sources))) {
 (factor = lagging.scaled_by);
-(used = ("" + "dry friction " + $str(((factor == null) ? "scaled" : ("" + "times " + $format(factor, ("" + ".3g")) + " used")))));
+(used = "dry friction scaled");
+if ((factor != null)) {
+(several = ($in(" ", lagging.condition)));
+(used = ("" + "dry friction times " + $format(factor, ("" + ".3g")) + $str(($truth(several) ? "" : " used"))));
+}
 (full = ("" + "Source of the factor: " + $str(rule__origin($at(lagging.sources, "condition"))) + "."));
 yield of_data___untested(of, $bound(lagging, "condition"), "condition", used, full);
 }
