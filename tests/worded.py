@@ -40,7 +40,7 @@ def worded(text: Any, system: System = "si") -> str:
 def _cell(data: dict[str, Any]) -> Cell:
     name = data.get("name", "")
     of = data.get("dimension") or GLOSSARY[name].dimension
-    other = data.get("from", data.get("apart", math.nan))
+    other = data.get("from", data.get("apart", data.get("error", math.nan)))
     return Cell(
         data["value"], of, data.get("digits", RESULT_DIGITS), data.get("form", ""), other, name
     )

@@ -16,7 +16,7 @@ from wraparc import MissingExtraError, solve
 from wraparc.answer.document import result_document
 from wraparc.glossary import GLOSSARY
 from wraparc.render import NoteHead, markdown, pdf, workbook
-from wraparc.units import System, unit_factor
+from wraparc.units import System, in_units, percent, unit_factor
 
 pytestmark = pytest.mark.usefixtures("solved_once")
 
@@ -140,7 +140,10 @@ def test_a_train_brings_its_loads_shares_and_motors() -> None:
     expected = [m.share for case in whole for m in case.members]
     assert shares == pytest.approx(expected, rel=1e-12)
     text = markdown(results, train=whole)
-    assert "### Shares and speeds" in text
+    for case in whole:
+        table = text.partition(f"### Drives: load case {case.case.name}\n")[2]
+        parts = "".join(f" {in_units(percent(m.share))} |" for m in case.members)
+        assert f"| Share of the load | f |{parts}" in table.replace("\\", "")
     assert "induction motor with fluid coupling" in text
 
 

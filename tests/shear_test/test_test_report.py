@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from shear_test.virtual import fitted, laboratory
-from wraparc.answer.shear_test_numbers import slope, with_error
+from wraparc.answer.shear_test_numbers import slope
 from wraparc.answer.shear_test_tables import plan_sheet
 from wraparc.answer.sheet import Sheet, Table, shown
 from wraparc.errors import InputError
@@ -15,6 +15,7 @@ from wraparc.provenance import Kind
 from wraparc.render.shear_test import Report, make_report
 from wraparc.shear_test import PlanResult, TestPlan
 from wraparc.shear_test.plan_file import plan_from_text
+from wraparc.units import in_units, plus_minus
 
 PLAN = """
 format = 1
@@ -224,20 +225,21 @@ def test_a_plan_that_states_nothing_still_has_the_lines_to_fill_in() -> None:
         (0.806, 0.00000051, "0.8060 \u00b1 < 0.0001"),
         (312.0, 0.2, "312.0 \u00b1 0.2"),
         (1234.0, 56.0, "1234 \u00b1 56"),
-        (0.5, 3.0, "0.5 \u00b1 3"),
-        (0.4031, 0.0, "0.403"),
-        (0.4031, float("inf"), "0.403"),
+        (0.5, 3.0, "0.50 \u00b1 3.0"),
+        (0.40312, 0.0, "0.403"),
+        (0.40312, float("inf"), "0.403"),
     ],
 )
 def test_an_interval_has_no_more_digits_than_its_value(
     value: float, error: float, text: str
 ) -> None:
-    assert with_error(value, error) == text
+    assert in_units(plus_minus(value, error)) == text
 
 
 def test_a_slope_of_rounding_is_none() -> None:
-    assert slope(-3.6e-18, 1e-17, 0.03) == "0"
-    assert slope(-0.0126, 0.0012, 0.03) == "-0.0126 \u00b1 0.0012"
+    assert in_units(slope(-3.6e-15, 1e-14, 30.0)) == "0"
+    assert in_units(slope(-12.6, 1.2, 30.0)) == "-0.0126 \u00b1 0.0012"
+    assert in_units(slope(-12.6, 1.2, 30.0), "us") == "-0.320 \u00b1 0.030"
 
 
 def test_one_remark_is_one(result: PlanResult) -> None:

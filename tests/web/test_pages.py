@@ -248,14 +248,14 @@ def test_a_design_goes_into_the_bin_and_comes_back(visitor: Visitor) -> None:
 def test_compare_sorts_pins_and_puts_a_lagging_in(visitor: Visitor) -> None:
     page = visitor.open("compare")
     rows = page.locator("#compare tbody tr")
-    page.click("#sort-creep")
+    page.click("#sort-exit_creep")
     names = rows.locator("th").all_inner_texts()
     assert names[0].startswith("Full ceramic")
     assert names[-1].startswith("Diamond rubber")
     page.get_by_role("button", name="Pin Diamond rubber (illustrative)").click()
     assert rows.locator("th").all_inner_texts()[0].startswith("Diamond rubber")
-    page.click("#sort-creep")
-    assert page.get_attribute("th:has(#sort-creep)", "aria-sort") == "descending"
+    page.click("#sort-exit_creep")
+    assert page.get_attribute("th:has(#sort-exit_creep)", "aria-sort") == "descending"
     page.get_by_role("button", name="Use Full ceramic").click()
     expect(rows.filter(has_text="(present)")).to_contain_text("Full ceramic")
     page.get_by_text("Belts", exact=True).click()

@@ -278,9 +278,9 @@ def test_keyboard_alone_reaches_and_works_everything(calculator: Calculator) -> 
     page.locator("#tab-choose").focus()
     page.keyboard.press("Enter")
     page.wait_for_selector(READY["compare"])
-    page.locator("#sort-margin").focus()
+    page.locator("#sort-creep_limit_margin").focus()
     page.keyboard.press("Enter")
-    assert page.evaluate("document.activeElement.id") == "sort-margin"
+    assert page.evaluate("document.activeElement.id") == "sort-creep_limit_margin"
     visitor.close()
 
 

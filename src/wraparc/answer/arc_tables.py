@@ -3,6 +3,7 @@
 import math
 from collections.abc import Callable
 
+from wraparc.answer.key_figures import figure_of, further_figures
 from wraparc.answer.sheet import Row, Table, between, named, percent, row_of, term
 from wraparc.arc import ArcResult
 from wraparc.checks import Level
@@ -56,6 +57,7 @@ def answer_table(results: Results) -> Table:
         "Wrap pressure, entry to exit",
         _values(results, _pressures),
         "p",
+        name="wrap_pressure",
     )
     rows = [
         row(
@@ -79,12 +81,11 @@ def answer_table(results: Results) -> Table:
         rows.append(row("stuck_arc", "entry part where the belt does not slip"))
     if not all(math.isnan(result.outside_tested_share) for result in results):
         rows.append(_outside_row(results))
-    if len(results) == 1:
-        g = f"{percent(first.entry_creep_ratio)} to {percent(first.exit_creep_ratio)}"
-        note = "belt slower than the lagging surface, entry to exit"
-        if first.exit_creep_ratio < 0.0:
-            note = "negative: belt faster than the lagging surface, entry to exit"
-        rows.append(Row("Creep ratio", (g,), "g", note))
+    note = "belt slower than the lagging surface, entry to exit"
+    if first.exit_creep_ratio < 0.0:
+        note = "negative: belt faster than the lagging surface, entry to exit"
+    rows.append(Row("Creep ratio", _values(results, _creep_ratios), "g", note, "creep_ratio"))
+    rows += [_key_row(results, figure.name) for figure in further_figures()]
     return Table(f"Result: {belongs(first)}", tuple(rows), heads(results), name="result")
 
 
@@ -97,6 +98,14 @@ def creep_interval_text(result: ArcResult) -> str:
         end = low if math.isinf(high) else high
         return f"95 % by the law: from {named('exit_creep', end)} to gross slip"
     return f"95 % by the law: {between('exit_creep', low, high)}"
+
+
+def _creep_ratios(result: ArcResult) -> str:
+    return f"{percent(result.entry_creep_ratio)} to {percent(result.exit_creep_ratio)}"
+
+
+def _key_row(results: Results, name: str) -> Row:
+    return row_of(name, *(figure_of(result, name) for result in results))
 
 
 def _pressures(result: ArcResult) -> str:

@@ -16,7 +16,7 @@ from wraparc.checks.action import Action
 from wraparc.checks.of_arc import COVER_UNKNOWN
 from wraparc.glossary import GLOSSARY
 from wraparc.train.turning import surface_sentence
-from wraparc.units import Dimension
+from wraparc.units import Dimension, fixed
 
 #: parameter -> title, dimension
 _PARAMETERS: dict[str, tuple[str, Dimension]] = {
@@ -249,7 +249,7 @@ def _correlations(found: Calibration) -> Table:
     if len(names) < 2:
         return Table("Correlations", ())
     rows = [
-        Row(name, tuple(f"{v:+.2f}" for v in row))
+        Row(name, tuple(fixed(float(v), 2, "signed") for v in row))
         for name, row in zip(names, found.correlation.tolist(), strict=True)
     ]
     return Table("Correlations of the estimates", tuple(rows), tuple(names), name="correlations")

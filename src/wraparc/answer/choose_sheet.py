@@ -16,7 +16,7 @@ from wraparc.choose.across import MOST, is_uneven
 from wraparc.choose.belt_rating import LighterBelt
 from wraparc.choose.selection import Selection
 from wraparc.drive import Sag
-from wraparc.units import RESULT_DIGITS, Cell
+from wraparc.units import RESULT_DIGITS, Cell, count, fixed
 
 _MOST_ROWS = 15
 _CSV_HEADS = (
@@ -79,7 +79,7 @@ def _ranking(selection: Selection, most: int) -> Table:
     for i in map(int, selection.ranking[:most]):
         marks = [w for w, s in (("creep", on_creep), ("T2", on_slack)) if i in s]
         values = (
-            *(f"{v[i]:,.0f}" for v in (costs.total, costs.lagging, costs.energy)),
+            *(count(float(v[i])) for v in (costs.total, costs.lagging, costs.energy)),
             number("exit_creep", float(selection.creep[i])),
             *([_uneven(selection, i)] if is_uneven(selection.search) else []),
             Cell(
@@ -112,15 +112,14 @@ def _ranking(selection: Selection, most: int) -> Table:
 
 
 def _uneven(selection: Selection, i: int) -> str:
-    value = float(selection.unevenness[i])
-    return "-" if math.isnan(value) else f"{100.0 * (value - 1.0):+.1f} %"
+    return fixed(float(selection.unevenness[i]) - 1.0, 1, "percent signed")
 
 
 def _rejected(selection: Selection, most: int) -> Table:
     bad = [int(i) for i in np.flatnonzero(~selection.feasible)]
     if len(bad) > most:
         rows = [
-            Row(standing.rule.what, (f"{int(standing.broken.sum())} designs miss it",))
+            Row(standing.rule.what, (f"{count(standing.broken.sum())} designs miss it",))
             for standing in selection.standings.values()
             if standing.broken.any()
         ]

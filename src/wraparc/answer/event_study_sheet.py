@@ -62,7 +62,7 @@ def _line(study: EventStudy, row: EventRow) -> Row:
         quantity(row.least_tension, "force"),
         NONE if math.isnan(row.swing) else percent(row.swing, 2),
         work(row.friction_energy),
-        f"{row.pulsates:.3g} Hz" if row.pulsates else "no",
+        quantity(row.pulsates, "frequency") if row.pulsates else "no",
         row.label,
     )
     return Row(_named(study, row), values, level=Level(row.level))

@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from wraparc.answer.checks_table import verdict_document
-from wraparc.answer.sheet import NONE, Row, Sheet, Table, Verdict, percent, quantity
+from wraparc.answer.sheet import NONE, Row, Sheet, Table, Verdict, named, percent, quantity
 from wraparc.answer.words import format_verdict, stated_action, under
 from wraparc.calibrate.field_numbers import TRIP_RULES, FieldNumbers
 from wraparc.checks import Level, Place
@@ -38,6 +38,7 @@ def field_sheet(
         Row(
             f"Healthy, {name}",
             tuple(percent(v) for v in (*pair, *(found.shown[name] if found.shown else ()))),
+            name="healthy",
         )
         for name, pair in found.healthy.items()
     ]
@@ -166,25 +167,27 @@ def _rules(found: FieldNumbers, worst: float) -> Iterator[str]:
 
 
 def _levels(found: FieldNumbers) -> Table:
-    def row(title: str, share: float, note: str = "") -> Row:
+    def row(name: str, title: str, share: float, note: str = "") -> Row:
         shown = (percent(found.seen(share, worn)) for worn in (0.0, found.depth))
-        return Row(title, tuple(shown), note=note)
+        return Row(title, tuple(shown), note=note, name=name)
 
     healthy = (found.worst_seen, found.worn_seen(found.depth))
-    rows = [Row("Healthy, at most", tuple(percent(v) for v in healthy))]
+    rows = [Row("Healthy, at most", tuple(percent(v) for v in healthy), name="healthy")]
     limits = found.limits if found.shown else {}
     for name, (ratio, seen) in limits.items():
         worn = seen + (1.0 - found.side * ratio) * found.depth * found.drift
-        rows.append(Row(f"At the creep limit, {name}", (percent(seen), percent(worn))))
+        rows.append(
+            Row(f"At the creep limit, {name}", (percent(seen), percent(worn)), name="creep_limit")
+        )
     if found.at_limit is not None and not limits:
-        rows.append(row("At the creep limit", found.at_limit))
-    rows.append(row("Alarm", found.alarm, note="at the creep limit"))
-    rows.append(row("Trip", found.trip, note="twice the alarm, or gross slip"))
+        rows.append(row("creep_limit", "At the creep limit", found.at_limit))
+    rows.append(row("alarm", "Alarm", found.alarm, note="at the creep limit"))
+    rows.append(row("trip", "Trip", found.trip, note="twice the alarm, or gross slip"))
     if found.at_breakaway is not None:
         note = "creep at gross slip over the wrap length; an extrapolation"
-        rows.append(row("Gross slip", found.at_breakaway, note=note))
+        rows.append(row("gross_slip", "Gross slip", found.at_breakaway, note=note))
     rows += [
-        Row(f"Switch at {rule.name}", (percent(1.0 - rule.speed_share), NONE))
+        Row(f"Switch at {rule.name}", (percent(1.0 - rule.speed_share), NONE), name="switch")
         for rule in TRIP_RULES
     ]
     depth = quantity(found.depth, "length")
@@ -200,15 +203,17 @@ def _wear(found: FieldNumbers, source: str) -> Iterator[Table]:
     if found.passes_per_year <= 0.0:
         return
     rows = [
-        Row("Turns in a year", (quantity(found.passes_per_year, "number"),)),
+        Row("Turns in a year", (quantity(found.passes_per_year, "number"),), name="turns"),
         Row(
             "Frictional energy in a year",
-            (f"{quantity(found.energy_per_year / 1e6, 'number')} MJ/m2",),
+            (named("frictional_energy", found.energy_per_year),),
+            name="frictional_energy",
         ),
     ]
     if not math.isnan(found.wear_per_year):
-        rows.append(Row("Wear in a year", (quantity(found.wear_per_year, "length"),), note=source))
-        rows.append(Row("Life of the depth allowed", (f"{found.life_years:.3g} years",)))
+        wear, life = quantity(found.wear_per_year, "length"), quantity(found.life_years, "number")
+        rows.append(Row("Wear in a year", (wear,), note=source, name="wear"))
+        rows.append(Row("Life of the depth allowed", (f"{life} years",), name="life"))
     yield Table("Wear of the lagging", tuple(rows), name="wear")
 
 

@@ -119,13 +119,16 @@ def margins_table(result: DriveResult, arc: ArcResult) -> Table | None:
     assumed = "" if take_up.kind else ", assumed"
     rows, after = [], take_up.after
     where = f"Tension behind {after}" if after else "T2"
-    for title, value, own in (
-        (f"{where} constant (gravity take-up, winch)", found.slack_held, not take_up.fixed),
-        ("T1 + T2 constant (fixed take-up)", found.both_held, take_up.fixed),
-        ("T1 constant", found.tight_held, False),
-    ):
+    for name, title, value, own in (
+        (
+            "constant_slack", f"{where} constant (gravity take-up, winch)",
+            found.slack_held, not take_up.fixed,
+        ),
+        ("constant_sum", "T1 + T2 constant (fixed take-up)", found.both_held, take_up.fixed),
+        ("constant_tight", "T1 constant", found.tight_held, False),
+    ):  # fmt: skip
         text = "none" if math.isinf(value) else f"{quantity(value, 'number')} times Te"
-        rows.append(Row(title, (text,), note=f"this drive{assumed}" if own else ""))
+        rows.append(Row(title, (text,), note=f"this drive{assumed}" if own else "", name=name))
     slides = quantity(SLIDES, "length")
     note = (
         f"Te at gross slip: a creep of {slides}, the end of the tested slip or the whole friction, "

@@ -21,7 +21,7 @@ from wraparc.motion.result import RunResult
 from wraparc.motion.vibration import ControlAnswer, StabilityResult
 from wraparc.train import Train, solve_train
 from wraparc.train.turning import surface_sentence
-from wraparc.units import GIVEN_DIGITS, Dimension, display, display_unit, either
+from wraparc.units import GIVEN_DIGITS, Dimension, bare, display, display_unit, either
 
 #: Amplitude of the pull below which run-out does no harm, and above which it is told as too much.
 _CALM = 0.02
@@ -131,9 +131,22 @@ def _run_sentences(run: RunResult) -> Iterator[str]:
 def _whole_table(run: RunResult) -> Table:
     least = run.least_tension
     rows = [
-        Row("Peak tension", (named("entry_tension", run.peak_tension.value),)),
-        Row("Minimum tension", (named("exit_tension", least.value),), note=least.place),
-        Row("Belt speed at the end", (quantity(float(run.belt_speed[-1]), "speed"),)),
+        Row(
+            "Peak tension",
+            (named("entry_tension", run.peak_tension.value),),
+            name="peak_tension",
+        ),
+        Row(
+            "Minimum tension",
+            (named("exit_tension", least.value),),
+            note=least.place,
+            name="minimum_tension",
+        ),
+        Row(
+            "Belt speed at the end",
+            (quantity(float(run.belt_speed[-1]), "speed"),),
+            name="belt_speed",
+        ),
     ]
     return Table("The event", tuple(rows), name="event")
 
@@ -141,12 +154,12 @@ def _whole_table(run: RunResult) -> Table:
 def _drum_table(run: RunResult) -> Table:
     drums = run.drums
 
-    def row(title: str, values: list[str], note: str = "") -> Row:
-        return Row(title, tuple(values), note=note)
+    def row(name: str, title: str, values: list[str]) -> Row:
+        return Row(title, tuple(values), name=name)
 
     def largest(title: str, name: str, dimension: Dimension) -> Row:
         peaks = [getattr(d.extremes, name).value for d in drums]
-        return row(title, [quantity(peak, dimension) for peak in peaks])
+        return row(f"peak_{name}", title, [quantity(peak, dimension) for peak in peaks])
 
     rows = [
         largest("Peak Te", "pull", "force"),
@@ -154,16 +167,19 @@ def _drum_table(run: RunResult) -> Table:
         largest(f"Peak {term('exit_creep').title.lower()}", "creep", "length"),
         largest("Peak slip", "slip", "length"),
         largest("Peak shear stress", "shear", "pressure"),
-        row("Share at the end", [percent(float(d.share[-1])) for d in drums]),
+        row("share", "Share at the end", [percent(float(d.share[-1])) for d in drums]),
         row(
+            "time_over_limit",
             "Time over the creep limit",
             [quantity(d.over_limit, "time") for d in drums],
         ),
         row(
+            "friction_work",
             "Friction work on the lagging",
             [work(d.friction_energy) for d in drums],
         ),
         row(
+            "friction_work_per_area",
             "Friction work per area of shell",
             [quantity(run.energy_per_area(d.name), "energy_per_area") for d in drums],
         ),
@@ -171,7 +187,7 @@ def _drum_table(run: RunResult) -> Table:
     depths = [run.wear_depth(d.name) for d in drums]
     if any(d is not None for d in depths):
         rows.append(
-            row("Wear of one such event", [NONE if d is None else _thin(d) for d in depths])
+            row("wear", "Wear of one such event", [NONE if d is None else _thin(d) for d in depths])
         )
     return Table("The drives", tuple(rows), heads=tuple(d.name for d in drums), name="drums")
 
@@ -349,15 +365,19 @@ def _sensitivity_table(result: StabilityResult) -> Table:
             "Share moved by 0.1 % of speed",
             (", ".join(percent(s * 1e-3) for s in result.sensitivity) or NONE,),
             note="all other speeds and the outer tensions constant",
+            name="share_sensitivity",
         ),
         Row(
             "Vibration of minimum damping",
-            (NONE if math.isnan(root.real) else f"{result.frequency:.3g} Hz",),
+            (NONE if math.isnan(root.real) else quantity(result.frequency, "frequency"),),
             note=f"{'growth' if root.real > 0 else 'decay'} time constant {decay}",
+            name="frequency",
         ),
     ]
     rows += [
-        Row(f"Gain margin, {name}", (_times(margin),), note="all else unchanged")
+        Row(
+            f"Gain margin, {name}", (_times(margin),), note="all else unchanged", name="gain_margin"
+        )
         for name, margin in zip(result.linear.station.names, result.gain_margins, strict=True)
         if not math.isnan(margin)
     ]
@@ -367,8 +387,12 @@ def _sensitivity_table(result: StabilityResult) -> Table:
 def _times(margin: float) -> str:
     """A gain margin in words."""
     if margin >= 1.0:
-        return "over a thousandfold" if math.isinf(margin) else f"{margin:.3g} times as high"
-    return f"must fall to {margin:.3g} times" if margin > 0.0 else NONE
+        return (
+            "over a thousandfold"
+            if math.isinf(margin)
+            else f"{bare(margin, 'number')} times as high"
+        )
+    return f"must fall to {bare(margin, 'number')} times" if margin > 0.0 else NONE
 
 
 def _controls_table(result: StabilityResult) -> Table:
@@ -376,7 +400,9 @@ def _controls_table(result: StabilityResult) -> Table:
         Row(
             c.name,
             (
-                "no" if c.stable else f"yes, {abs(c.root.imag) / (2.0 * math.pi):.3g} Hz",
+                "no"
+                if c.stable
+                else f"yes, {quantity(abs(c.root.imag) / (2.0 * math.pi), 'frequency')}",
                 percent(c.pull * result.run_out, 2),
                 percent(c.pull_third * result.run_out, 2),
                 percent(c.power_loss, 2),

@@ -28,7 +28,7 @@ from wraparc.study.fields import Called, names_of
 from wraparc.study.monte_carlo import PERCENTS, Group, Summary, over_conditions
 from wraparc.study.sensitivity import Global, Local, Swing
 from wraparc.study.share import CONFIDENCE, Share
-from wraparc.units import Dimension
+from wraparc.units import Dimension, bare, fixed
 
 #: Results that a table of groups shows the percentiles of.
 _SHOWN = ("exit_creep", "least_exit_tension", "creep_limit_margin", "peak_shear_stress")
@@ -145,7 +145,7 @@ def _chances(title: str, groups: Sequence[Group], units: Mapping[str, Dimension 
 
 def _with_interval(share: Share) -> str:
     low, high = share.interval
-    return f"{percent(share.value)} [{100 * low:.3g}-{100 * high:.3g}]"
+    return f"{percent(share.value)} [{bare(100 * low, 'number')}-{bare(100 * high, 'number')}]"
 
 
 def _values(title: str, groups: Sequence[Group], units: Mapping[str, Dimension | None]) -> Table:
@@ -229,7 +229,7 @@ def _index_tables(indices: Global, called: Called) -> Iterator[Table]:
 
 
 def _index(value: float, interval: tuple[float, float]) -> str:
-    return f"{value:.3f} [{interval[0]:.3f} to {interval[1]:.3f}]"
+    return f"{fixed(value, 3)} [{fixed(interval[0], 3)} to {fixed(interval[1], 3)}]"
 
 
 def _tornado_tables(

@@ -33,9 +33,9 @@ SOLVED, FAILS, FAULT = 0, 1, 3
 
 #: Tables of a solved drive, and those that only a train has.
 TABLES = (
-    "checks", "least", "cases", "drives", "conditions", "conveyor", "loads", "width", "strips",
-    "defects", "result", "creep", "capacity", "margins", "constant", "energy", "wear", "life",
-    "inputs",
+    "checks", "least", "cases", "figures", "drives", "conditions", "conveyor", "loads", "width",
+    "strips", "defects", "result", "creep", "capacity", "margins", "constant", "energy", "wear",
+    "life", "inputs",
 )  # fmt: skip
 
 

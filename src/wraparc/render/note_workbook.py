@@ -170,12 +170,8 @@ class _Workbook:
     def _summary(self) -> None:
         sheet, note = self._sheet("Summary", landscape=False), self.note
         self._put(sheet, 0, 0, note.title, self.book.add_format({"bold": True, "font_size": 15}))
-        told = note.told
-        pairs = (
-            *note.title_block, (told.word, told.text), *told.lines, ("Checks", note.summary)
-        )  # fmt: skip
         row = 1
-        for title, value in (*pairs, *(("", sentence) for sentence in told.sentences)):
+        for title, value in (*note.title_block, *note.lines):
             self._put(sheet, row, 0, title, self.bold)
             sheet.merge_range(row, 1, row, 8, "", self.wrapped)
             self._put(sheet, row, 1, value, self.wrapped)
@@ -368,9 +364,8 @@ class _Workbook:
                 of.note(entry.origin)
         rows += [("source", text) for text in of.listed()]
         for section in self.note.sections:
-            if section.title in ("Assumptions", "Warnings", "Sources"):
-                kind = section.title.lower().rstrip("s")
-                rows += [(kind, text) for text in section.sentences]
+            if section.kind:
+                rows += [(section.kind, text) for text in section.sentences]
             rows += [("equation", f"{e.title}: {e.latex}") for e in section.equations]
         sheet = self._table("Sources", ("Kind", "Text"), dict.fromkeys(rows))
         sheet.set_column(1, 1, 120, self.wrapped)

@@ -13,9 +13,12 @@ from typing import Literal, Self, get_args
 from wraparc.units.digits import (
     NOTHING,
     RESULT_DIGITS,
+    decimals,
     every_digit,
     every_limit_digit,
+    grouped,
     rounded_limit,
+    with_error,
 )
 from wraparc.units.display import System, display, display_unit, joined, parts, unit_row
 from wraparc.units.parse import unit_factor
@@ -27,11 +30,15 @@ _UNBOUNDED = "infinite"
 #: How a cell is shown: with its unit; without, as under a head that has it; the unit alone; as a
 #: share [%]; rounded to the safe side, upwards or down; as a speed of slip; in as many digits as
 #: tell it from another number; a limit, a maximum rounded down and a minimum up, and a value that
-#: misses it, both in as many digits as tell them apart; and from another number to it,
-#: ``0 to 22.5 deg`` or ``0-22.5 deg``, that rounded up or down, or as a maximum, ``150 of 210 kN``.
+#: misses it, both in as many digits as tell them apart; from another number to it,
+#: ``0 to 22.5 deg`` or ``0-22.5 deg``, that rounded up or down, or as a maximum, ``150 of 210 kN``;
+#: under a head with its unit, half its interval behind it, ``1.29 ± 0.01``; with so many digits
+#: behind the point, plain or as a share, its sign always told or not; a count or money in
+#: thousands, ``12,843``.
 Form = Literal[
     "", "bare", "unit", "percent", "up", "bare up", "down", "slip", "apart", "slip apart",
     "maximum", "minimum", "exceeds", "below", "to", "-", "to up", "to down", "of",
+    "bare error", "fixed", "signed", "percent fixed", "percent signed", "grouped",
 ]  # fmt: skip
 #: Forms of two numbers, which a range begins and ends with.
 RANGES: tuple[Form, ...] = ("to", "-", "to up", "to down", "of")
@@ -55,11 +62,12 @@ class Cell(str):
     dimension
         What it measures.
     digits
-        Significant digits.
+        Significant digits; digits behind the point where the form has these.
     form
         How it is shown, see `Form`.
     other
-        Number [SI] that it is told from, or that a range begins at; nan without one.
+        Number [SI] that it is told from, that a range begins at, or half its interval; nan without
+        one.
     name
         Name in the glossary, or empty.
     """
@@ -106,12 +114,10 @@ def cell_text(
     row = unit_row(dimension, system)
     if form == "unit":
         return row.unit
-    if form == "percent":
-        return display(100.0 * value, "number", system, digits) + " %"
-    if form == "bare up":
-        return rounded_limit(value / row.factor, digits, True)
-    if form == "bare":
-        return display(value / row.factor, "number", system, digits)
+    if form in ("percent", "percent fixed", "percent signed"):
+        return _share(value, digits, form) + " %"
+    if form in ("bare", "bare up", "bare error", "fixed", "signed", "grouped"):
+        return _bare(value / row.factor, digits, form, other / row.factor)
     if form in ("apart", "slip apart"):
         return _apart(value, dimension, digits, other, system, form == "slip apart")
     if form in ("exceeds", "below", "maximum", "minimum"):
@@ -121,6 +127,26 @@ def cell_text(
     if form in ("up", "down"):
         return joined(_limit(value, dimension, system, digits, form == "up"))
     return joined(_told(value, dimension, system, digits, form == "slip"))
+
+
+def _share(value: float, digits: int, form: Form) -> str:
+    """Return a share in hundredths."""
+    if form == "percent":
+        return display(100.0 * value, "number", "si", digits)
+    return decimals(100.0 * value, digits, form == "percent signed")
+
+
+def _bare(number: float, digits: int, form: Form, other: float) -> str:
+    """Return a number without a unit."""
+    if form == "bare error":
+        return with_error(number, other)
+    if form == "bare up":
+        return rounded_limit(number, digits, True)
+    if form in ("fixed", "signed"):
+        return decimals(number, digits, form == "signed")
+    if form == "grouped" and math.isfinite(number):
+        return grouped(decimals(number, 0, False))
+    return display(number, "number", "si", digits)
 
 
 def _told(
@@ -261,6 +287,37 @@ def unit_of(dimension: Dimension) -> str:
 def percent(share: float, digits: int = RESULT_DIGITS) -> str:
     """Return a share as percent, `NONE` for nan."""
     return NONE if math.isnan(share) else Cell(share, "number", digits, "percent")
+
+
+def fixed(
+    value: float, digits: int, form: Form = "fixed", dimension: Dimension = "number", name: str = ""
+) -> str:
+    """Return a value with so many digits behind the point, `NONE` for nan.
+
+    `form` is ``fixed``, ``signed``, ``percent fixed`` or ``percent signed``.
+    """
+    if not math.isfinite(value):
+        return quantity(value, dimension)
+    return Cell(value, dimension, digits, form, name=name)
+
+
+def count(number: float) -> str:
+    """Return a count or an amount of money, grouped by thousands."""
+    return (
+        quantity(number, "number")
+        if not math.isfinite(number)
+        else Cell(number, "number", form="grouped")
+    )
+
+
+def plus_minus(value: float, error: float, dimension: Dimension = "number", name: str = "") -> str:
+    """Return a value under the head with its unit, with half its interval.
+
+    The value alone where there is no interval (an error of 0, or not finite).
+    """
+    if not (math.isfinite(value) and math.isfinite(error) and error > 0.0):
+        return bare(value, dimension, name=name)
+    return Cell(value, dimension, RESULT_DIGITS, "bare error", error, name)
 
 
 def either(si: str, us: str) -> str:

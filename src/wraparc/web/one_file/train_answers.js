@@ -81,7 +81,7 @@ function resultOf({ c, system, told, own, quicks, divided }, numbers) {
       },
       status: solved ? "solved" : "breakaway",
       energy: { power_loss: summary.power_loss },
-      capacities: { creep_limit_margin: numbers[i].capacities.creep_limit_margin },
+      figures: { ...summary, ...numbers[i].capacities },
     };
     const fields = { ...told.turnings[i], arc, motor: told.points[i] };
     return Object.assign(Object.create(K.MemberResult.prototype), fields);

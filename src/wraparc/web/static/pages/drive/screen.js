@@ -15,6 +15,7 @@ import {
 } from "../../base/design.js";
 import { AGAIN, act, askAgain, GONE, note, part, sentence } from "../../base/server.js";
 import {
+  besideUnit,
   digits,
   dimensionOf,
   percent,
@@ -581,12 +582,8 @@ const NOT_MADE = /** @type {Bar} */ ({
   source: "",
 });
 /** The limit of a check, without the unit that its value has. @param {Bar} b */
-function atLimit(b) {
-  const [limit, unit] = words(b.limit).split(/(?<=\d) /);
-  const number = limit.replace(/^(max|min) /, "");
-  const alone = !unit || words(b.found).endsWith(` ${unit}`);
-  return `${b.at_most ? "≤" : "≥"} ${alone ? number : `${number} ${unit}`}`;
-}
+const atLimit = (b) => `${b.at_most ? "≤" : "≥"} ${besideUnit(b.limit, b.found)}`;
+const sense = (/** @type {Bar} */ b) => (b.at_most ? "max" : "min");
 /** Reason, place and source of a check. @param {Bar} b @param {FullArc | undefined} full */
 export function reasonOf(b, full, id = "why") {
   const told = answer.full?.arcs
@@ -596,7 +593,7 @@ export function reasonOf(b, full, id = "why") {
     "div",
     { class: "why", id, role: "region", "aria-label": "Reason and source", tabIndex: 0 },
     h("h3", {}, `${b.title}: ${percent(b.share)} of the limit`),
-    h("p", {}, words(b.says) || `${words(b.found)}, ${words(b.limit)}.`),
+    h("p", {}, words(b.says) || `${words(b.found)}, ${sense(b)} ${words(b.limit)}.`),
     h("p", { class: "src" }, [b.place, b.source || told?.source].filter(Boolean).join(". ")),
   );
 }
