@@ -73,6 +73,13 @@ def test_what_is_no_number_is_a_text() -> None:
         (Cell(30e3, "force", form="to", other=50e3), "50 to 30 kN", "11200 to 6740 lbf"),
         (Cell(30e3, "force", form="to", other=30e3), "30 kN", "6740 lbf"),
         (Cell(2e-2, "length", form="-", other=12.0), "12 m-20 mm", "39.4 ft-0.787 in"),
+        (Cell(105.65e3, "force", form="typed"), "105.65 kN", "23800 lbf"),
+        (Cell(105.6543219e3, "force", form="typed"), "106 kN", "23800 lbf"),
+        (
+            Cell(120e3, "force", form="to up", other=105.65e3),
+            "105.65 to 120 kN",
+            "23800 to 27000 lbf",
+        ),
         (plus_minus(15.68e-3, 0.21e-3, "length"), "15.7 \u00b1 0.2", "0.617 \u00b1 0.008"),
         (plus_minus(0.40312, 0.0), "0.403", "0.403"),
         (plus_minus(math.nan, 1.0), "-", "-"),

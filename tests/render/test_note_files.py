@@ -139,6 +139,10 @@ def test_a_train_brings_its_loads_shares_and_motors() -> None:
     shares = [row[heads.index(GLOSSARY["share"].title)] for row in there["Results"][1:10]]
     expected = [m.share for case in whole for m in case.members]
     assert shares == pytest.approx(expected, rel=1e-12)
+    told = {(row[0], row[1], row[3]): row[4:6] for row in there["Tables"][1:]}
+    for member in whole.cases[0].members:
+        value, unit = told["Drives: load case design", "Speed trim", member.name]
+        assert (value, unit) == (pytest.approx(100.0 * member.speed_trim, rel=1e-12), "%")
     text = markdown(results, train=whole)
     for case in whole:
         table = text.partition(f"### Drives: load case {case.case.name}\n")[2]

@@ -57,7 +57,7 @@ def answer_table(results: Results) -> Table:
         "Wrap pressure, entry to exit",
         _values(results, _pressures),
         "p",
-        name="wrap_pressure",
+        name="wrap_pressures",
     )
     rows = [
         row(

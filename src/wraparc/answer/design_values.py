@@ -26,7 +26,7 @@ def comparison_table(result: ArcResult, lagging: Lagging, of: Sources) -> Table:
             c.least_exit_tension,
             math.nan,
         )
-        rows.append(Row("At the creep limit, as computed", limit, name="creep_limit"))
+        rows.append(Row("At the creep limit, as computed", limit, name="at_creep_limit"))
     rows += [_design_row(classical, result, of) for classical in known(result, lagging)]
     if lagging.surface:
         note = (

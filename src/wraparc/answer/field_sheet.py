@@ -177,10 +177,12 @@ def _levels(found: FieldNumbers) -> Table:
     for name, (ratio, seen) in limits.items():
         worn = seen + (1.0 - found.side * ratio) * found.depth * found.drift
         rows.append(
-            Row(f"At the creep limit, {name}", (percent(seen), percent(worn)), name="creep_limit")
+            Row(
+                f"At the creep limit, {name}", (percent(seen), percent(worn)), name="at_creep_limit"
+            )
         )
     if found.at_limit is not None and not limits:
-        rows.append(row("creep_limit", "At the creep limit", found.at_limit))
+        rows.append(row("at_creep_limit", "At the creep limit", found.at_limit))
     rows.append(row("alarm", "Alarm", found.alarm, note="at the creep limit"))
     rows.append(row("trip", "Trip", found.trip, note="twice the alarm, or gross slip"))
     if found.at_breakaway is not None:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Literal, cast
 from wraparc.answer.arc_tables import belongs
 from wraparc.answer.catalogue_sheets import law_table
 from wraparc.answer.checks_table import checks_summary
-from wraparc.answer.drive_sheet import drive_sheet, method_remarks
+from wraparc.answer.drive_sheet import drive_sheet
 from wraparc.answer.input_tables import input_tables
 from wraparc.answer.inputs import Input, drive_inputs
 from wraparc.answer.sheet import (
@@ -18,18 +18,14 @@ from wraparc.answer.sheet import (
     Sheet,
     Table,
     Verdict,
-    named,
-    percent,
     quantity,
     shown,
-    started,
 )
 from wraparc.answer.sources import Sources
 from wraparc.arc import DriveResult
 from wraparc.checks import Verdict as Judgement
 from wraparc.checks import judge
-from wraparc.drive import Drive, Lagging
-from wraparc.drive.conditions import SCALED
+from wraparc.drive import Drive
 from wraparc.errors import InputError, Problem, name_remedy
 from wraparc.errors import shown as quoted
 from wraparc.friction import Equation
@@ -41,7 +37,8 @@ from wraparc.render.drawings import (
     pulley_drawing,
 )
 from wraparc.render.equations import equations
-from wraparc.units import GIVEN_DIGITS, System, distinct
+from wraparc.render.note_sentences import assumptions, warnings
+from wraparc.units import GIVEN_DIGITS, System
 from wraparc.version import __version__
 
 if TYPE_CHECKING:
@@ -263,9 +260,9 @@ def compose_note(
         Section("Across the width", tables=_of(answer, _ACROSS), drawings=_across_pictures(first)),
         *in_time_sections,
         Section("Inputs and where they came from", tables=_inputs(answer, first, of, train)),
-        Section("Assumptions", tuple(_assumptions(results, train)), kind="assumption"),
+        Section("Assumptions", tuple(assumptions(results, train)), kind="assumption"),
         _equation_section(results, train),
-        Section("Warnings", tuple(_warnings(results)), kind="warning"),
+        Section("Warnings", tuple(warnings(results)), kind="warning"),
         Section("Sources", of.listed(), numbered=True, kind="source"),
     ]  # fmt: skip
     return Note(
@@ -377,78 +374,9 @@ def _across_pictures(result: DriveResult) -> tuple[Drawing, ...]:
     return (across_drawing(worst_first(result)[0]),)
 
 
-def _assumptions(results: Sequence[DriveResult], train: "TrainResult | None") -> Iterator[str]:
-    drive = results[0].drive
-    yield (
-        "Steady running; tension and pressure uniform over the width of the belt; weight, bending "
-        "and centrifugal force of the belt left out; diameters over the unloaded lagging."
-    )
-    if any(pulley.across for pulley in drive.pulleys):
-        yield (
-            "Across the width alone they are not uniform: the belt is cut into strips that its "
-            "in-plane shear couples, the spans are membranes fixed to their track."
-        )
-    told = "The friction law depends on slip and pressure, not on speed, temperature or time"
-    if any(lagging.factors is not None for lagging in drive.laggings):
-        told += " (but by the factors among the inputs, the minimum over the whole arc)"
-    yield f"{told}; it is that of the condition named ({_conditions(drive.laggings)})."
-    for lagging in (lagging for lagging in drive.laggings if SCALED in lagging.sources):
-        yield (
-            f"The law of {lagging.name} when {lagging.condition} is its dry law scaled as a whole "
-            f"({lagging.notes[-1]}; {lagging.sources[SCALED]}): not measured."
-        )
-    if any(lagging.law.tested is not None for lagging in drive.laggings):
-        yield (
-            "Below the lowest tested pressure the coefficient of friction is constant, above "
-            "the highest the traction; both are extrapolations, as is slip outside the tested "
-            "range."
-        )
-    if any(p.recovery for p in drive.pulleys):
-        yield "The compressed lagging recovers as the pressure falls, which adds creep."
-    if train is not None:
-        yield (
-            "Friction on runs between drives is an input; the load is divided as the drive file "
-            "says, and belt mass flow is continuous."
-        )
-    if len(results) > 1:
-        yield (
-            "The headline numbers are those of the distributed method, which solves equilibrium "
-            "and creep along the wrap; the paper's integration is shown as a second opinion."
-        )
-
-
-def _conditions(laggings: Sequence[Lagging]) -> str:
-    return ", ".join(f"{lagging.name}: {lagging.condition}" for lagging in laggings)
-
-
 def _equation_section(results: Sequence[DriveResult], train: "TrainResult | None") -> Section:
     design = any(p.lagging.surface for p in results[0].drive.pulleys)
     listed = equations(
         results[0].arcs, paper=len(results) > 1, train=train is not None, design=design
     )
     return Section("Equations", equations=listed)
-
-
-def _warnings(results: Sequence[DriveResult]) -> Iterator[str]:
-    yield from judge(results[0]).remarks
-    for arc in results[0]:
-        if arc.status.solved and arc.extrapolates:
-            share = percent(arc.outside_tested_share)
-            yield (
-                f"{started(belongs(arc))}: on {share} of the wrap pressure or "
-                "slip lies outside the tested range; the friction is extrapolated there."
-            )
-    gross = results[0].governing.capacities.gross_slip_capacity
-    if gross == gross:
-        yield (
-            "The capacity at gross slip extrapolates the friction law, often far outside any "
-            "tested slip; do not design by it."
-        )
-    yield from method_remarks(results)
-    limits = distinct(
-        named("creep_limit", limit) for limit in sorted(r.arc.creep_limit for r in results[0])
-    )
-    yield (
-        f"The creep limit ({', '.join(limits)}) is a limit of practice, not of strength; "
-        "this note does not check shaft, shell, or the belt's splice."
-    )

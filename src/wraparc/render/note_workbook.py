@@ -257,7 +257,7 @@ class _Workbook:
         ends = cell is not None and cell.form in ("to", "-") and cell.other != cell.value
         if cell is None or cell.form == "unit" or ends:
             return text, ""
-        if cell.form == "percent":
+        if cell.form in ("percent", "percent fixed", "percent signed"):
             return 100.0 * cell.value, "%"
         unit, size = self._unit(cell.dimension)
         value = cell.value

@@ -13,6 +13,7 @@ from typing import Literal, Self, get_args
 from wraparc.units.digits import (
     NOTHING,
     RESULT_DIGITS,
+    as_typed,
     decimals,
     every_digit,
     every_limit_digit,
@@ -34,11 +35,11 @@ _UNBOUNDED = "infinite"
 #: ``0 to 22.5 deg`` or ``0-22.5 deg``, that rounded up or down, or as a maximum, ``150 of 210 kN``;
 #: under a head with its unit, half its interval behind it, ``1.29 ± 0.01``; with so many digits
 #: behind the point, plain or as a share, its sign always told or not; a count or money in
-#: thousands, ``12,843``.
+#: thousands, ``12,843``; a given number with all digits that it was typed with.
 Form = Literal[
     "", "bare", "unit", "percent", "up", "bare up", "down", "slip", "apart", "slip apart",
     "maximum", "minimum", "exceeds", "below", "to", "-", "to up", "to down", "of",
-    "bare error", "fixed", "signed", "percent fixed", "percent signed", "grouped",
+    "bare error", "fixed", "signed", "percent fixed", "percent signed", "grouped", "typed",
 ]  # fmt: skip
 #: Forms of two numbers, which a range begins and ends with.
 RANGES: tuple[Form, ...] = ("to", "-", "to up", "to down", "of")
@@ -124,6 +125,8 @@ def cell_text(
         return _missed(value, dimension, digits, form, other, system)
     if form in ("to", "-", "to up", "to down", "of"):
         return _range(value, dimension, digits, form, other, system)
+    if form == "typed":
+        return joined(_typed(value, dimension, system, digits))
     if form in ("up", "down"):
         return joined(_limit(value, dimension, system, digits, form == "up"))
     return joined(_told(value, dimension, system, digits, form == "slip"))
@@ -159,6 +162,12 @@ def _told(
         unit, size = _slow_unit(system)
         return display(number / size, "number", system, digits), unit
     return parts(number, dimension, system, digits)
+
+
+def _typed(number: float, dimension: Dimension, system: System, digits: int) -> tuple[str, str]:
+    """Return a given number as typed, and its unit; rounded where its unit is another."""
+    text, unit = _told(number, dimension, system, digits, False)
+    return as_typed(_in_unit(number, dimension, system, unit), text), unit
 
 
 def _slow_unit(system: System) -> tuple[str, float]:
@@ -223,6 +232,8 @@ def _range(
 ) -> str:
     """Return two numbers, with one unit where both have the same."""
     first = _told(other, dimension, system, digits, False)
+    if form in ("to up", "to down"):  # from what was given
+        first = _typed(other, dimension, system, digits)
     if form in ("to", "-"):
         last = _told(value, dimension, system, digits, False)
         if joined(first) == joined(last):

@@ -7,6 +7,8 @@ RESULT_DIGITS = 3
 #: A number that so many digits hold entirely is one that somebody gave, and is shown as it is.
 GIVEN_DIGITS = 4
 _EXACT = 1e-9
+#: Digits of a given number that is shown as typed.
+_TYPED = 6
 #: Digits behind the first that tell any two numbers apart.
 _EVERY = 16
 #: What is less, in the unit shown, is what rounding leaves of a difference of equal numbers.
@@ -62,6 +64,20 @@ def every_digit(number: float, digits: int) -> str:
     text = scientific(number, digits - 1)
     power = exponent_of(text)
     return fixed(read(text), max(0, digits - 1 - power)) if -4 <= power < 12 else text
+
+
+def as_typed(number: float, text: str) -> str:
+    """Return a given number with the digits that it was typed with, six at most.
+
+    `text` is what stands for one that six digits do not hold, as after a change of units.
+    """
+    if number == 0.0 or not math.isfinite(number):
+        return text
+    typed = scientific(number, _TYPED - 1)
+    power = exponent_of(typed)
+    if not _equal(read(typed), number) or not -4 <= power < 12:
+        return text
+    return trimmed(fixed(read(typed), max(0, _TYPED - 1 - power)))
 
 
 def decimals(number: float, digits: int, signed: bool) -> str:
