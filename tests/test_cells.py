@@ -16,13 +16,16 @@ from wraparc.units import (
     System,
     bare,
     cells_in,
+    count,
     display,
     distinct,
     either,
+    fixed,
     format_limit,
     in_unit,
     in_units,
     percent,
+    plus_minus,
     quantity,
     unit_of,
 )
@@ -43,7 +46,7 @@ def test_a_cell_shows_as_the_number_does(value: float, system: System) -> None:
 
 def test_what_is_no_number_is_a_text() -> None:
     assert (quantity(math.nan, "force"), bare(math.nan, "force")) == ("-", "-")
-    assert quantity(math.inf, "force") == bare(-math.inf, "force") == "without bound"
+    assert quantity(math.inf, "force") == bare(-math.inf, "force") == "infinite"
     assert percent(math.nan) == "-"
 
 
@@ -61,7 +64,7 @@ def test_what_is_no_number_is_a_text() -> None:
         (format_limit(62_911.0, "force", "maximum"), "62.9 kN", "14100 lbf"),
         (format_limit(6.35e-3, "length", "maximum"), "6.35 mm", "0.25 in"),
         (format_limit(0.012, "speed", "maximum"), "12 mm/s", "0.472 in/s"),
-        (format_limit(math.inf, "force", "maximum"), "without bound", "without bound"),
+        (format_limit(math.inf, "force", "maximum"), "infinite", "infinite"),
         (Cell(84_021.5, "force", form="to up", other=50e3), "50 to 84.1 kN", "11200 to 18900 lbf"),
         (Cell(84_021.5, "force", form="to down", other=9e4), "90 to 84.0 kN", "20200 to 18800 lbf"),
         (Cell(210e3, "force", form="of", other=150_210.0), "150 of 210 kN", "33800 of 47200 lbf"),
@@ -70,6 +73,27 @@ def test_what_is_no_number_is_a_text() -> None:
         (Cell(30e3, "force", form="to", other=50e3), "50 to 30 kN", "11200 to 6740 lbf"),
         (Cell(30e3, "force", form="to", other=30e3), "30 kN", "6740 lbf"),
         (Cell(2e-2, "length", form="-", other=12.0), "12 m-20 mm", "39.4 ft-0.787 in"),
+        (Cell(105.65e3, "force", form="typed"), "105.65 kN", "23800 lbf"),
+        (Cell(105.6543219e3, "force", form="typed"), "106 kN", "23800 lbf"),
+        (
+            Cell(120e3, "force", form="to up", other=105.65e3),
+            "105.65 to 120 kN",
+            "23800 to 27000 lbf",
+        ),
+        (plus_minus(15.68e-3, 0.21e-3, "length"), "15.7 \u00b1 0.2", "0.617 \u00b1 0.008"),
+        (plus_minus(0.40312, 0.0), "0.403", "0.403"),
+        (plus_minus(math.nan, 1.0), "-", "-"),
+        (fixed(1.2938, 3), "1.294", "1.294"),
+        (fixed(0.25, 1), "0.2", "0.2"),  # a tie goes to the even digit
+        (fixed(0.0009, 3, dimension="length"), "0.900", "0.035"),
+        (fixed(0.2, 2, "signed"), "+0.20", "+0.20"),
+        (fixed(-0.001, 2, "signed"), "0", "0"),
+        (fixed(-0.0031214, 4, "percent signed"), "-0.3121 %", "-0.3121 %"),
+        (fixed(0.996546, 3, "percent fixed"), "99.655 %", "99.655 %"),
+        (fixed(math.nan, 3), "-", "-"),
+        (count(12_842.6), "12,843", "12,843"),
+        (count(250), "250", "250"),
+        (quantity(1.19, "frequency"), "1.19 Hz", "1.19 Hz"),
         (either("1 mm", f"{Cell(0.0254, 'length')}"), "1 mm", "1 in"),
         (in_unit("length", lambda size: f"{0.0254 / size:g} (held)"), "25.4 (held)", "1 (held)"),
     ],

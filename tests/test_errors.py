@@ -17,7 +17,7 @@ from wraparc import (
 from wraparc.errors import shown
 
 COMMA = Problem(
-    message="a comma can mean a decimal point or a thousands separator",
+    message="a comma can mean decimal point or thousands separator",
     remedy='Write "1.5 kN".',
     file="drive.toml",
     key="pulley.head.exit_tension",
@@ -27,8 +27,8 @@ COMMA = Problem(
 
 def test_a_problem_names_place_value_cause_and_remedy() -> None:
     assert str(COMMA) == (
-        'drive.toml: pulley.head.exit_tension = "1,5 kN": a comma can mean a decimal point '
-        'or a thousands separator. Write "1.5 kN".'
+        "drive.toml: pulley.head.exit_tension: a comma can mean decimal point or thousands "
+        'separator, got "1,5 kN". Write "1.5 kN".'
     )
 
 
@@ -40,7 +40,7 @@ def test_a_problem_names_place_value_cause_and_remedy() -> None:
         (Problem(message="is empty", file="a.csv", line=7), "a.csv, line 7: is empty."),
         (Problem(message="is empty", line=7), "line 7: is empty."),
         (Problem(message="is missing", key="belt.width"), "belt.width: is missing."),
-        (Problem(message="no unit", value="5", remedy="Write one"), "5: no unit. Write one."),
+        (Problem(message="no unit", value="5", remedy="Write one"), "no unit, got 5. Write one."),
     ],
 )
 def test_a_problem_leaves_out_what_it_does_not_know(problem: Problem, text: str) -> None:
@@ -123,7 +123,7 @@ def test_a_value_that_contains_itself_is_shown_by_its_type() -> None:
 
 
 def test_a_source_is_told_with_its_kind() -> None:
-    assert str(Provenance()) == "given"
+    assert str(Provenance()) == "input"
     assert str(Provenance(Kind.ILLUSTRATIVE)) == "illustrative"
     published = Provenance(Kind.PUBLISHED, "Maker, catalogue", "2012", "rated values")
     assert str(published) == "published: Maker, catalogue, 2012 (rated values)"

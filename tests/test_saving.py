@@ -36,7 +36,7 @@ def test_what_was_there_survives_a_failure(tmp_path: Path, monkeypatch: pytest.M
     with pytest.raises(InputError) as caught:
         save_file(target, "new")
     assert str(caught.value) == (
-        f'"{target}": cannot be written: No space left on device. Choose another place.'
+        f'cannot be written: No space left on device, got "{target}". Choose another place.'
     )
     assert target.read_text("utf-8") == "old"
     assert list(tmp_path.iterdir()) == [target]
@@ -69,17 +69,15 @@ def test_a_good_place_is_left_as_it_was(tmp_path: Path) -> None:
 def test_bad_places_in_full_sentences(tmp_path: Path) -> None:
     given = tmp_path / "in.json"
     given.write_text("", "utf-8")
-    assert sentence(tmp_path) == f'"{tmp_path}": is a folder. Name a file in that folder.'
+    assert sentence(tmp_path) == f"{tmp_path}: is a folder. Name a file in it."
     assert sentence(tmp_path / "no" / "a") == (
-        f'"{tmp_path}/no/a": there is no folder "{tmp_path}/no". Make the folder first.'
+        f"{tmp_path}/no/a: its folder does not exist. Make the folder first."
     )
     assert sentence(given, inputs=[given], key="--json") == (
-        f'--json = "{given}": is the file that is read, and would be written over. Choose another '
-        "name."
+        f'--json: must not be a file that is read, got "{given}". Choose another name.'
     )
     assert sentence("a.jpg", suffixes=(".svg", ".png")) == (
-        '"a.jpg": the kind of file is told by its ending, which must be .svg or .png. Write for '
-        'example "a.svg".'
+        'a.jpg: must end in .svg or .png. Write for example "a.svg".'
     )
     assert "cannot be written" in sentence("a\x00b")
 
@@ -90,7 +88,7 @@ def test_a_place_that_refuses_drafts(tmp_path: Path, monkeypatch: pytest.MonkeyP
 
     monkeypatch.setattr(Path, "touch", refuse)
     assert sentence(tmp_path / "a", key="--csv") == (
-        f'--csv = "{tmp_path}/a": cannot be written: Permission denied. Choose another place.'
+        f'--csv: cannot be written: Permission denied, got "{tmp_path}/a". Choose another place.'
     )
 
 
@@ -151,8 +149,8 @@ def test_two_runs_do_not_write_one_file(tmp_path: Path) -> None:
     with alone(target, "--csv"), pytest.raises(InputError) as caught, alone(target, "--csv"):
         raise AssertionError("both write it")
     assert str(caught.value) == (
-        f'--csv = "{target}": another run is writing this file. Wait until it has ended, or name '
-        "another file."
+        f'--csv: another run is writing this file, got "{target}". Wait until it has ended, '
+        "or name another file."
     )
     with alone(target):  # the first has ended
         pass

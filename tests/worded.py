@@ -15,8 +15,8 @@ def check_words(check: Check, system: System = "si") -> str:
 
 def verdict_words(verdict: Verdict, system: System = "si") -> str:
     """Return all that a verdict says of what is missed, and its reasons."""
-    checks = [verdict.governing, *verdict.also] if verdict.governing else []
-    return " ".join(check_words(check, system) for check in checks if check)
+    checks = [] if verdict.governing is None else [verdict.governing, *verdict.also]
+    return " ".join(check_words(check, system) for check in checks)
 
 
 def worded(text: Any, system: System = "si") -> str:
@@ -40,7 +40,7 @@ def worded(text: Any, system: System = "si") -> str:
 def _cell(data: dict[str, Any]) -> Cell:
     name = data.get("name", "")
     of = data.get("dimension") or GLOSSARY[name].dimension
-    other = data.get("from", data.get("apart", math.nan))
+    other = data.get("from", data.get("apart", data.get("error", math.nan)))
     return Cell(
         data["value"], of, data.get("digits", RESULT_DIGITS), data.get("form", ""), other, name
     )

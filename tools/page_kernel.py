@@ -29,6 +29,7 @@ from wraparc.answer import (
     words,
 )
 from wraparc.answer import least_tension as leasts
+from wraparc.answer.key_figures import KeyFigure, figure_of
 from wraparc.answer.sheet import term
 from wraparc.arc import Status, answer, capacity, grip, profile
 from wraparc.catalogue import loader
@@ -61,7 +62,7 @@ from wraparc.train import (
 )
 from wraparc.train import file as train_file
 from wraparc.train.system import System
-from wraparc.units import Cell, digits, display, percent, quantity
+from wraparc.units import Cell, digits, display, fixed, percent, quantity
 from wraparc.units.cell import cell_text
 from wraparc.units.display import unit_row
 from wraparc.web import in_page, in_page_checks, in_page_train
@@ -117,6 +118,7 @@ TRAIN_ENTRIES: tuple[Callable[..., object], ...] = (
     train_words.case_sentences,
     train_words.short_sentences,
     train_sheet.case_table,
+    KeyFigure,
     CaseResult,
     MemberResult,
     System,
@@ -132,6 +134,7 @@ CELLS_ENTRIES: tuple[Callable[..., object], ...] = (
     cell_text,
     quantity,
     percent,
+    fixed,
 )
 #: Functions of Python that are others there: those of `static/base/digits.js` by name.
 OF_DIGITS: dict[Any, Any] = {
@@ -141,6 +144,7 @@ OF_DIGITS: dict[Any, Any] = {
     digits.exponent_of: "exponentOf",
     digits.fixed: "decimal",
     digits.trimmed: "trimmed",
+    digits.grouped: "grouped",
     Cell: "cellOf",
 }
 #: What reads documents in the page.
@@ -199,7 +203,7 @@ OF_CHECKS: dict[Any, Any] = {
 #: What the page reads of verdict, checks and least tension.
 READ = {
     "text", "also", "label", "level", "listed", "data", "at", "within", "governing", "place",
-    "share", "missed", "bound", "texts", "tension", "raise_to", "drive_result", "wet_text",
+    "share", "missed", "texts", "tension", "raise_to", "drive_result", "wet_text",
     "remarks", "full", "action_text", "name",
 }  # fmt: skip
 #: What `static/documents.js` has in the place of functions that look into files.
@@ -214,6 +218,7 @@ OF_FILES: dict[Any, str] = {
     limits.is_number: "isNumber",
     errors.shown: "$shown",
     term: "term",
+    figure_of: "figureOf",
 }
 #: Methods of what is read that nothing asks for there, or that ask for arrays.
 UNREAD = ("written", "schema", "rows", (MeasuredTable, "compact"))
@@ -238,7 +243,8 @@ def train_module() -> str:
     """Return the module of the train page as it must stand in its file."""
     kernel = _kernel()
     kernel.text()
-    instead: dict[Any, Any] = {of: of.__name__ for of in (display, percent, quantity, term)}
+    natives = (display, fixed, percent, quantity, term, figure_of)
+    instead: dict[Any, Any] = {of: of.__name__ for of in natives}
     found = translated(TRAIN_ENTRIES, "wraparc", instead, kernel.exports)
     text = found.text()
     taken = f'import {{ {", ".join(sorted(found.taken))} }} from "../static/{FILE.name}";\n'
@@ -258,7 +264,7 @@ def reader_module() -> str:
     """Return the module that reads and judges documents as it must stand in its file."""
     kernel = _kernel()
     kernel.text()
-    cells = {f"cell__{of.__name__}": of for of in (quantity, percent)}
+    cells = {f"cell__{of.__name__}": of for of in (quantity, percent, fixed)}
     module = whole.Module(
         "wraparc",
         {**OF_FILES, **OF_CHECKS, Cell: "cellOf"},

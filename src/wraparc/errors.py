@@ -5,7 +5,7 @@ the attributes. Nothing here knows files, units or physics.
 """
 
 import json
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from importlib import import_module
@@ -70,23 +70,42 @@ def _alike(one: str, other: str) -> int:
     return first + size + _alike(one[at + size :], other[there + size :])
 
 
-def nearest(given: object, known: Iterable[str]) -> str:
+def nearest(given: object, known: Iterable[str], most: int = 3) -> str:
     """Return "Did you mean ...?" with the nearest of the known words, or nothing."""
-    texts = [shown(word) for word in near(given, known)]
+    texts = [shown(word) for word in near(given, known, most)]
     return f"Did you mean {' or '.join(texts)}?" if texts else ""
+
+
+def format_names(names: Iterable[object], most: int = 6) -> str:
+    """Return names with commas; of many the first, and how many more there are."""
+    return format_list([shown(name) for name in names], most)
+
+
+def format_list(texts: Sequence[str], most: int = 6) -> str:
+    """Return texts with commas; of many the first, and how many more there are."""
+    more = len(texts) - most
+    if more <= 1:  # the last one is as long as its count
+        return ", ".join(texts)
+    return f"{', '.join(texts[:most])} and {more} more"
+
+
+def name_remedy(given: object, known: Iterable[str]) -> str:
+    """Return which name may be meant, else the names there are; nothing if there are none."""
+    names = list(known)
+    listed = f"Write one of {format_names(names)}." if names else ""
+    return nearest(given, names) or listed
 
 
 @dataclass(frozen=True, kw_only=True)
 class Problem:
-    """One thing wrong with an input.
+    """One thing wrong with an input, told as ``file: key: fault, got value. Fix.`` in this order.
 
     Parameters
     ----------
     message
-        A sentence (or the end of one that starts with the value): what is wrong, what
-        is allowed.
+        The fault: what is wrong or what is allowed, in a few words.
     remedy
-        A sentence: what to do.
+        The fix: an imperative sentence.
     file
         Path as the user gave it.
     key
@@ -112,8 +131,8 @@ class Problem:
         place = self.file
         if self.line is not None:
             place = f"{place}, line {self.line}" if place else f"line {self.line}"
-        given = " = ".join(part for part in (self.key, self.value) if part)
-        sentence = ": ".join(part for part in (place, given, self.message) if part)
+        fault = f"{self.message}, got {self.value}" if self.value else self.message
+        sentence = ": ".join(part for part in (place, self.key, fault) if part)
         return " ".join(part for part in (_stopped(sentence), _stopped(self.remedy)) if part)
 
 
@@ -162,11 +181,9 @@ def input_error(
 
 def no_such(what: str, name: object, known: Iterable[str], *, of: str = "the drive") -> InputError:
     """Return the error for a name that nothing has, with the nearest names and all there are."""
-    names = list(known)
-    there = f"It has {', '.join(map(shown, names))}."
     return input_error(
         message=f"{of} has no such {what}",
-        remedy=f"{nearest(name, names)} {there}".strip(),
+        remedy=name_remedy(name, known),
         value=shown(name),
     )
 

@@ -45,8 +45,8 @@ class Quantity:
 #: What became of quantities by their old names.
 RENAMED: Mapping[str, str] = MappingProxyType(
     {
-        "gross_slip_margin": "Now gross_slip_safety, the number of the check; the former ratio, "
-        "extrapolated beyond the tests, is extrapolated_gross_slip_margin."
+        "gross_slip_margin": "Write gross_slip_safety, or extrapolated_gross_slip_margin for the "
+        "former ratio."
     }
 )
 QUANTITIES: tuple[Quantity, ...] = (
@@ -97,8 +97,8 @@ QUANTITIES: tuple[Quantity, ...] = (
         "Thickness of the belt cover on the side of the pulleys.",
     ),
     Quantity(
-        "carry_cover", "t_c", "length", "Carry cover",
-        "Thickness of the belt cover that carries the load.",
+        "carry_cover", "t_c", "length", "Carrying cover",
+        "Thickness of the belt cover on the carrying side.",
     ),
     Quantity(
         "carcass", "t_k", "length", "Carcass",
@@ -159,11 +159,11 @@ QUANTITIES: tuple[Quantity, ...] = (
         "With lagging and shaft; its weight bears on the bearings beside the belt tensions.",
     ),
     Quantity(
-        "most_shaft_load", "R_max", "force", "Largest load of shaft and bearings",
+        "most_shaft_load", "R_max", "force", "Maximum load of shaft and bearings",
         "Resultant of the belt tensions and weight of the pulley, the belt pulling straight down.",
     ),
     Quantity(
-        "least_shaft_load", "R_min", "force", "Least load of shaft and bearings",
+        "least_shaft_load", "R_min", "force", "Minimum load of shaft and bearings",
         "Resultant of the belt tensions less the weight of the pulley, the belt pulling straight "
         "up.",
     ),
@@ -173,11 +173,11 @@ QUANTITIES: tuple[Quantity, ...] = (
     ),
     Quantity(
         "belt_safety", "S_B", "number", "Safety factor of the belt",
-        "Breaking strength of the belt over its largest tension at the pulley.",
+        "Breaking strength of the belt over its maximum tension at the pulley.",
     ),
     Quantity(
         "creep_limit", "u_max", "length", "Creep limit",
-        "Largest creep that is accepted; 6.35 mm is the conservative customary value.",
+        "Maximum accepted creep; 6.35 mm is the conservative customary value.",
     ),
     # friction of a lagging
     Quantity(
@@ -192,7 +192,7 @@ QUANTITIES: tuple[Quantity, ...] = (
     ),
     Quantity(
         "peak_friction", "mu_pk", "number", "Peak friction",
-        "Largest friction over all slips at one wrap pressure.",
+        "Maximum friction over all slips at one wrap pressure.",
     ),
     Quantity(
         "peak_slip", "x_pk", "length", "Slip at peak friction",
@@ -264,8 +264,8 @@ QUANTITIES: tuple[Quantity, ...] = (
     ),
     Quantity(
         "exit_creep_high", "", "length", "Creep at exit, high end",
-        "High end of the same interval; without bound where the friction there does not carry the "
-        "load.",
+        "High end of the same interval; infinite where the friction there does not transmit "
+        "the load.",
     ),
     Quantity(
         "creep_shrinkage", "u_s", "length", "Creep by belt shrinkage",
@@ -288,16 +288,16 @@ QUANTITIES: tuple[Quantity, ...] = (
     ),
     Quantity(
         "peak_shear_stress", "tau_max", "pressure", "Peak shear stress",
-        "Largest magnitude of the shear stress along the arc, which the bond of the lagging "
+        "Maximum magnitude of the shear stress along the arc, which the bond of the lagging "
         "has to withstand.",
     ),
     Quantity(
         "peak_shear_angle", "gamma_max", "angle", "Peak shear angle",
-        "Largest magnitude of the shear angle along the arc.",
+        "Maximum magnitude of the shear angle along the arc.",
     ),
     Quantity(
         "peak_shear_position", "theta_max", "angle", "Position of peak shear",
-        "Angle from the entry nip at which the shear stress is largest.",
+        "Angle from the entry nip at which the shear stress peaks.",
     ),
     Quantity(
         "entry_creep_ratio", "g", "number", "Entry creep ratio",
@@ -311,7 +311,7 @@ QUANTITIES: tuple[Quantity, ...] = (
     ),
     Quantity(
         "mean_friction", "mu_m", "number", "Mean friction",
-        "Constant friction that would carry the same load over the whole wrap, "
+        "Constant friction that would transmit the same load over the whole wrap, "
         "|ln(T1/T2)|/phi.",
     ),
     Quantity(
@@ -335,7 +335,7 @@ QUANTITIES: tuple[Quantity, ...] = (
     # what the pulley could carry
     Quantity(
         "creep_limit_capacity", "r_a", "number", "Capacity at the creep limit",
-        "Largest ratio of tight-side to slack-side tension at which the exit creep stays "
+        "Maximum ratio of tight-side to slack-side tension at which the exit creep stays "
         "within the creep limit.",
     ),
     Quantity(
@@ -350,17 +350,18 @@ QUANTITIES: tuple[Quantity, ...] = (
     ),
     Quantity(
         "least_exit_tension", "T2_creep", "force", "Slack-side tension for the creep limit",
-        "Least slack-side tension (exit side when driving, entry side when braking) that "
-        "carries the same effective tension within the creep limit.",
+        "Minimum slack-side tension (exit side when driving, entry side when braking) that "
+        "transmits the same effective tension within the creep limit.",
     ),
     Quantity(
-        "largest_effective_tension", "Te_max", "force", "Largest effective tension",
-        "Largest pull within the creep limit with the tight-side wrap pressure in the tested "
+        "largest_effective_tension", "Te_max", "force", "Maximum effective tension",
+        "Maximum effective tension within the creep limit with the tight-side wrap pressure in "
+        "the tested "
         "range.",
     ),
     Quantity(
         "tested_slip_capacity", "r_b", "number", "Capacity at the edge of tested slip",
-        "Largest tension ratio at which no slip exceeds the largest slip tested.",
+        "Maximum tension ratio at which no slip exceeds the maximum slip tested.",
     ),
     Quantity(
         "tested_slip_margin", "", "number", "Margin to the edge of tested slip",
@@ -368,24 +369,25 @@ QUANTITIES: tuple[Quantity, ...] = (
     ),
     Quantity(
         "gross_slip_capacity", "r_c", "number", "Capacity at gross slip",
-        "Tension ratio at which the friction of the whole wrap is exhausted; an "
-        "extrapolation, often far beyond any tested slip.",
+        "Tension ratio at which the friction of the whole wrap is exhausted; an extrapolation, "
+        "often far outside any tested slip.",
     ),
     Quantity(
         "extrapolated_gross_slip_margin", "", "number", "Margin to gross slip, extrapolated",
-        "Capacity at gross slip over the actual ratio: by the law alone, beyond its tests, with "
-        "the tight side held; no safety factor.",
+        "Capacity at gross slip over the actual ratio: by the law alone, outside its tests, at "
+        "constant tight-side tension; no safety factor.",
     ),
     Quantity(
         "gross_slip_safety", "", "number", "Safety against gross slip",
-        "Pull at which the belt slides over the pull, as the take-up lets the tensions grow; it "
-        "slides at a creep of 63.5 mm, at the end of the tested slip or where all friction is used "
+        "Effective tension at gross slip over the effective tension, as the take-up lets the "
+        "tensions grow; the belt slips at a creep of 63.5 mm, at the end of the tested slip or "
+        "where all friction is used "
         "up, whichever comes first.",
     ),
     Quantity(
         "gross_slip_creep", "", "length", "Creep at gross slip",
-        "Creep at the exit at the capacity at gross slip; without bound for a law that is flat "
-        "past its peak.",
+        "Creep at the exit at the capacity at gross slip; infinite for a law that is flat past "
+        "its peak.",
     ),
     # power, energy and wear
     Quantity(
@@ -397,13 +399,13 @@ QUANTITIES: tuple[Quantity, ...] = (
         "Heat of the belt sliding on the lagging, v_s B int tau dx.",
     ),
     Quantity(
-        "shear_loss", "P_h", "power", "Shear energy given up",
+        "shear_loss", "P_h", "power", "Released shear energy",
         "Shear energy of the lagging released at the exit less that taken in at the entry, "
         "v_s B (h/2G) (tau_exit^2 - tau_entry^2).",
     ),
     Quantity(
         "power_loss", "P_v", "power", "Power lost to creep",
-        "Sliding power plus shear energy given up.",
+        "Sliding power plus released shear energy.",
     ),
     Quantity(
         "efficiency", "eta", "number", "Efficiency",
@@ -426,7 +428,7 @@ QUANTITIES: tuple[Quantity, ...] = (
     # several drives on one belt
     Quantity(
         "share", "f", "number", "Share of the load",
-        "Part of the total effective tension that a drive carries; negative when it brakes.",
+        "Part of the total effective tension that a drive transmits; negative when it brakes.",
     ),
     Quantity(
         "run", "dT", "force", "Rise of tension before it",
@@ -447,32 +449,32 @@ QUANTITIES: tuple[Quantity, ...] = (
         "First-order part of the speed ratio because this drive creeps more than the first.",
     ),
     Quantity(
-        "compression_term", "d/R - d1/R1", "number", "Speed by lagging squeeze",
-        "First-order part of the ratio of drum speeds because a lagging that is compressed less "
-        "makes a larger drum.",
+        "compression_term", "d/R - d1/R1", "number", "Speed by lagging compression",
+        "First-order part of the ratio of pulley speeds because a lagging that is compressed "
+        "less makes a larger pulley.",
     ),
     Quantity(
         "thickness_term", "(1+e_b1/R1)/(1+e_b/R)-1", "number", "Speed by belt thickness",
-        "Part of the ratio of drum speeds because the tension member runs outside the "
-        "lagging surface, farther on a smaller drum and on a thicker cover.",
+        "Part of the ratio of pulley speeds because the tension member runs outside the "
+        "lagging surface, farther on a smaller pulley and on a thicker cover.",
     ),
     Quantity(
-        "drum_ratio", "omega R/(omega1 R1)", "number", "Drum speed to the first",
-        "Ratio of the drum speeds of drums of equal diameter: that of the surface speeds, the "
+        "drum_ratio", "omega R/(omega1 R1)", "number", "Pulley speed to the first",
+        "Ratio of the pulley speeds at equal diameter: that of the surface speeds, the "
         "compression of the laggings and the thickness of the belt.",
     ),
     Quantity(
         "surface_speed", "v_s", "speed", "Surface speed",
-        "Speed of the loaded drum at the entry nip, at the radius of the tension member.",
+        "Speed of the loaded pulley at the entry nip, at the radius of the tension member.",
     ),
     Quantity(
-        "rotation_speed", "omega", "rotation_speed", "Drum speed",
-        "Rotation speed of the drum, surface speed over the radius of the tension "
+        "rotation_speed", "omega", "rotation_speed", "Pulley speed",
+        "Rotation speed of the pulley, surface speed over the radius of the tension "
         "member, R - delta + e.",
     ),
     Quantity(
         "speed_trim", "trim", "number", "Speed trim",
-        "Drum speed times nominal diameter over that of the first drive: the ratio that a speed "
+        "Pulley speed times nominal diameter over that of the first drive: the ratio that a speed "
         "control is set to.",
     ),
     Quantity(
@@ -482,22 +484,22 @@ QUANTITIES: tuple[Quantity, ...] = (
     ),
     Quantity(
         "nominal_diameter", "D_n", "length", "Nominal diameter",
-        "Diameter that a drum is taken to have when its speed is set.",
+        "Diameter by which the speed of a pulley is set.",
     ),
     Quantity(
         "diameter_ratio", "D/D_n", "number", "Diameter over nominal diameter",
-        "Actual over nominal diameter of a drum, below 1 where its lagging has worn.",
+        "Actual over nominal diameter of a pulley, below 1 where its lagging has worn.",
     ),
     Quantity(
         "load_ratio", "", "number", "Load",
         "Total effective tension over that of the load case.",
     ),
     Quantity(
-        "drum_torque", "M_d", "torque", "Torque on the drum",
-        "Power at the lagging surface over drum speed, (T1 - T2)(R - delta).",
+        "drum_torque", "M_d", "torque", "Torque on the pulley",
+        "Power at the lagging surface over pulley speed, (T1 - T2)(R - delta).",
     ),
     Quantity(
-        "drum_power", "P_d", "power", "Power of the drum",
+        "drum_power", "P_d", "power", "Power of the pulley",
         "Effective tension times the speed of the lagging surface.",
     ),
     Quantity(
@@ -522,19 +524,19 @@ QUANTITIES: tuple[Quantity, ...] = (
     ),
     Quantity(
         "electrical_power", "P_el", "power", "Electrical power",
-        "Power that all motors of a drum take from the mains, negative where they give it back.",
+        "Power that all motors of a pulley take from the mains, negative where they return it.",
     ),
     Quantity(
         "motor_loss", "", "power", "Lost in the motors",
-        "Electrical power less shaft power of all motors of a drum.",
+        "Electrical power less shaft power of all motors of a pulley.",
     ),
     Quantity(
         "coupling_loss", "", "power", "Lost in fluid couplings",
-        "Torque times the slip of pump and turbine, of all fluid couplings of a drum.",
+        "Torque times the slip of pump and turbine, of all fluid couplings of a pulley.",
     ),
     Quantity(
         "gear_loss", "", "power", "Lost in the gear",
-        "Power into the gear less power of the drum.",
+        "Power into the gear less power of the pulley.",
     ),
     Quantity(
         "share_sensitivity", "df/dtrim", "number", "Share per 0.1 % of trim",
@@ -556,41 +558,41 @@ QUANTITIES: tuple[Quantity, ...] = (
         "Belt tension of a strip over its width.",
     ),
     Quantity(
-        "largest_running_tension", "t_max", "force_per_width", "Largest tension, running",
+        "largest_running_tension", "t_max", "force_per_width", "Maximum tension, running",
         "Tension per unit width where the belt is tightest, in the wrap or the span before it; at "
-        "an edge carried on linearly from the two outer strips.",
+        "an edge extrapolated linearly from the two outer strips.",
     ),
     Quantity(
         "tightest_strip_tension", "t_strip", "force_per_width", "Tightest strip, running",
         "Tension per unit width of the tightest strip, the mean over its width.",
     ),
     Quantity(
-        "largest_static_tension", "t_stat", "force_per_width", "Largest tension at standstill",
+        "largest_static_tension", "t_stat", "force_per_width", "Maximum tension at standstill",
         "Tension per unit width where the belt is tightest as long as it does not creep; at an "
-        "edge carried on linearly from the two outer strips.",
+        "edge extrapolated linearly from the two outer strips.",
     ),
     Quantity(
-        "least_tension", "t_min", "force_per_width", "Least tension",
+        "least_tension", "t_min", "force_per_width", "Minimum tension",
         "Tension per unit width of the slackest strip in the wrap.",
     ),
     Quantity(
-        "largest_pressure", "p_max", "pressure", "Largest wrap pressure across the width",
+        "largest_pressure", "p_max", "pressure", "Maximum wrap pressure across the width",
         "Wrap pressure under the tightest strip.",
     ),
     Quantity(
-        "largest_creep", "", "length", "Largest creep across the width",
+        "largest_creep", "", "length", "Maximum creep across the width",
         "Creep at the exit of the strip that creeps most.",
     ),
     Quantity(
-        "entry_unevenness", "", "number", "Entry tension, largest over mean",
+        "entry_unevenness", "", "number", "Entry tension, maximum over mean",
         "Tension per unit width of the tightest strip at the entry over the mean.",
     ),
     Quantity(
-        "exit_unevenness", "", "number", "Exit tension, largest over mean",
+        "exit_unevenness", "", "number", "Exit tension, maximum over mean",
         "Tension per unit width of the tightest strip at the exit over the mean.",
     ),
     Quantity(
-        "energy_unevenness", "", "number", "Wear, largest over mean",
+        "energy_unevenness", "", "number", "Wear, maximum over mean",
         "Frictional energy per area of the strip that has most of it, over the mean.",
     ),
     Quantity(
@@ -608,14 +610,14 @@ QUANTITIES: tuple[Quantity, ...] = (
     ),
     Quantity(
         "entry_guide_force", "", "force", "Guide force before the pulley",
-        "Sideways force of the belt that idlers before the pulley must hold.",
+        "Sideways force of the belt that idlers before the pulley must take.",
     ),
     Quantity(
         "exit_guide_force", "", "force", "Guide force behind the pulley",
-        "Sideways force of the belt that idlers behind the pulley must hold.",
+        "Sideways force of the belt that idlers behind the pulley must take.",
     ),
     Quantity(
-        "drum_number", "Gamma", "number", "Drum number",
+        "drum_number", "Gamma", "number", "Pulley number",
         "How much slower than the pulley surface the belt would run unstretched, one number for "
         "all strips.",
     ),

@@ -52,7 +52,12 @@ class Provenance:
                 remedy="Name the publication, or call the number given or illustrative.",
             )
 
+    @property
+    def kind_text(self) -> str:
+        """The kind in words; a number without a source is an input."""
+        return "input" if self.kind is Kind.GIVEN else str(self.kind)
+
     def __str__(self) -> str:
         origin = ", ".join(part for part in (self.source, self.date) if part)
-        stated = f"{self.kind}: {origin}" if origin else str(self.kind)
+        stated = f"{self.kind_text}: {origin}" if origin else self.kind_text
         return f"{stated} ({self.note})" if self.note else stated

@@ -8,7 +8,6 @@ import stat
 import sys
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
-from dataclasses import replace
 from pathlib import Path
 from typing import BinaryIO
 
@@ -184,27 +183,31 @@ def saving_problems(
     name = os.fspath(path)
     allowed = tuple(suffixes)
     if allowed and not name.lower().endswith(allowed):
-        message = f"the kind of file is told by its ending, which must be {' or '.join(allowed)}"
+        message = f"must end in {' or '.join(allowed)}"
         remedy = f"Write for example {quoted((os.path.splitext(name)[0] or 'file') + allowed[0])}."
-        return [Problem(key=key, value=quoted(name), message=message, remedy=remedy)]
+        return [_of_path(name, message, remedy, key)]
     if any(_same(name, given) for given in inputs):
-        message = "is the file that is read, and would be written over"
-        remedy = "Choose another name."
-        return [Problem(key=key, value=quoted(name), message=message, remedy=remedy)]
-    problem = _trial(name) or _no_text(name)
-    return [] if problem is None else [replace(problem, key=key)]
+        return [_of_path(name, "must not be a file that is read", "Choose another name.", key)]
+    problem = _trial(name, key) or _no_text(name, key)
+    return [] if problem is None else [problem]
 
 
-def _no_text(name: str) -> Problem | None:
+def _of_path(path: Location, message: str, remedy: str, key: str) -> Problem:
+    """Return the problem of a path: the value of what asked for it, else the place itself."""
+    name = os.fspath(path)
+    if key:
+        return Problem(key=key, value=quoted(name), message=message, remedy=remedy)
+    return Problem(file=_printable(name), message=message, remedy=remedy)
+
+
+def _no_text(name: str, key: str) -> Problem | None:
     """What writes Parquet takes paths as text alone."""
     if not name.lower().endswith(".parquet"):
         return None
     try:
         os.path.realpath(name).encode("utf-8")
     except UnicodeEncodeError:
-        message = "its path is not UTF-8, which the library that writes Parquet needs"
-        remedy = "Name a file, and a folder, of letters."
-        return Problem(value=quoted(name), message=message, remedy=remedy)
+        return _of_path(name, "its path must be UTF-8", "Name another file.", key)
     return None
 
 
@@ -215,17 +218,14 @@ def _same(path: str, given: Location) -> bool:
         return False
 
 
-def _trial(name: str) -> Problem | None:
+def _trial(name: str, key: str) -> Problem | None:
     """Put an empty draft beside the file and take it away again."""
     try:
         target = Path(os.path.realpath(name))
         if target.is_dir():
-            return Problem(
-                value=quoted(name), message="is a folder", remedy="Name a file in that folder."
-            )
+            return _of_path(name, "is a folder", "Name a file in it.", key)
         if not target.parent.is_dir():
-            message = f"there is no folder {quoted(str(target.parent))}"
-            return Problem(value=quoted(name), message=message, remedy="Make the folder first.")
+            return _of_path(name, "its folder does not exist", "Make the folder first.", key)
         if target.exists() and not os.access(target, os.W_OK):
             raise PermissionError(0, "Permission denied")
         if not is_device(target):
@@ -233,7 +233,7 @@ def _trial(name: str) -> Problem | None:
             draft.touch()
             draft.unlink()
     except (OSError, ValueError) as error:
-        return unwritable(name, error)
+        return unwritable(name, error, key=key)
     return None
 
 
@@ -242,11 +242,13 @@ def unwritable(
 ) -> Problem:
     """Return the problem of a file that cannot be written, with the words of the system."""
     reason = getattr(error, "strerror", None) or str(error)
-    message = f"cannot be written: {reason}"
-    return Problem(key=key, value=quoted(os.fspath(path)), message=message, remedy=remedy)
+    return _of_path(path, f"cannot be written: {reason}", remedy, key)
 
 
 def quoted(path: str) -> str:
     """Return a path for a message: whole, so that it can be found, and printable."""
-    text = json.dumps(path, ensure_ascii=False)
+    return _printable(json.dumps(path, ensure_ascii=False))
+
+
+def _printable(text: str) -> str:
     return "".join(c if c.isprintable() else f"\\u{ord(c):04x}" for c in text)

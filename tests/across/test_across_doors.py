@@ -145,7 +145,7 @@ def test_slack_is_said_with_strip_and_amount(fabric: Drive) -> None:
     assert says in str(error.value)
     assert slack.position == pytest.approx(0.1)  # centre of the fourth of six strips
     assert slack.tension < 0.0
-    assert "of the given unevenness on" in str(error.value)
+    assert "of the input unevenness on" in str(error.value)
     verdict = _verdict(drive)
     assert verdict.level is Level.FAILS
     assert in_units(verdict.text) == "Strip at 100 mm goes slack (head, design)."
@@ -280,7 +280,7 @@ def test_the_command_line_tells_and_draws(tmp_path: Path, monkeypatch: pytest.Mo
     assert ran.code == 0
     for words in (
         "Across the width: pulley head, load case design",
-        "Largest tension at standstill",
+        "Maximum tension at standstill",
         "Levelling depth, modes 1 to 4",
         "Share of each defect",
         "Worn lagging",

@@ -188,4 +188,4 @@ def test_the_load_case_that_governs_stands_first() -> None:
     text = in_units(judge(result).text)
     assert text == "Creep 12.9 mm exceeds the 6.35 mm limit (head, worst strip, start)."
     rows = {row.title: row.values[0] for row in table.rows}
-    assert rows["Largest creep across the width"] == "12.9 mm"
+    assert rows["Maximum creep across the width"] == "12.9 mm"

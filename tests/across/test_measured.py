@@ -85,9 +85,9 @@ def test_an_excel_workbook(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("head", "y", "says"),
     [
-        ("place;colour [mm]", Y, "no columns of position and of depth, thickness, diameter"),
+        ("place;colour [mm]", Y, "no column of position, or none of depth, thickness, diameter"),
         ("position;depth", Y, "has no unit"),
-        ("position [in];depth [in]", np.zeros(12), "each measured once"),
+        ("position [in];depth [in]", np.zeros(12), "or one measured twice"),
     ],
 )
 def test_what_cannot_be_told_is_asked_for(

@@ -138,3 +138,14 @@ def test_a_conveyor_is_raised_at_its_take_up() -> None:
     action = find_action(solved_document(given))
     assert action is not None
     assert told.ways > 0
+
+
+def test_a_size_that_no_drive_has_is_checked_before_anything_is_advised() -> None:
+    # expected: the unit that makes it a pulley; by a drum of 1 km no tension or lagging is tried
+    document = tomllib.loads(DRIVE.replace('diameter = "1 m"', 'diameter = "1000 m"'))
+    result = solved(drive_or_train_from_document(document))
+    assert judge(result).missed
+    action = find_action(result)
+    assert action is not None
+    assert in_units(action.text, "si") == "Check the unit: 1000 mm?"
+    assert action.ways == ()

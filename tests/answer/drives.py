@@ -64,7 +64,7 @@ def solved(entry: float = 150e3, leaving: float = 60e3) -> DriveResult:
 
 @cache
 def marched(entry: float = 150e3, leaving: float = 60e3) -> DriveResult:
-    """The same by the paper's march."""
+    """The same by the paper's integration."""
     return solve(drive(entry, leaving), method=PaperMarch(), raise_on_failure=False)
 
 

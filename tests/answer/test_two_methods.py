@@ -20,9 +20,9 @@ def test_methods_on_different_sides_of_the_creep_limit_are_told() -> None:
     results = [solve(between), solve(between, method=PaperMarch())]
     said = shown(drive_sheet(results), "si").verdict
     assert said is not None
-    assert said.sentences[0].startswith("The methods stand on different sides of the creep limit")
+    assert said.sentences[0].startswith("The methods differ in whether creep passes the limit")
     assert "(distributed) and " in said.sentences[0]
-    assert "(paper's march)" in said.sentences[0]
+    assert "(paper's integration)" in said.sentences[0]
     assert make_note(results, NoteHead()).told.sentences[0] == said.sentences[0]
     (creep, *_) = answer_table(tuple(result.arcs[0] for result in results)).rows
     assert creep.level is Level.ATTENTION  # the colour of both numbers

@@ -42,7 +42,7 @@ def entry_ratio(arc: WrapArc) -> float:
     step = 5e-4 if left > 0.0 else -5e-4
     while (excess(inner + step) > 0.0) is (left > 0.0):
         inner, step = inner + step, 2.0 * step
-        assert abs(step) < 0.5, "friction cannot carry this"
+        assert abs(step) < 0.5, "friction cannot transmit this"
     low, high = min(inner, inner + step), max(inner, inner + step)
     return float(brentq(excess, low, high, xtol=1e-15, rtol=1e-13))
 

@@ -116,7 +116,7 @@ def test_the_least_tension_with_it_creeps_to_the_limit(arc: WrapArc) -> None:
 
 
 def test_what_a_law_that_holds_the_belt_cannot_hold_is_refused() -> None:
-    with pytest.raises(InputError, match="this friction law holds the belt"):
+    with pytest.raises(InputError, match=r"of 0, where this law starts to slip, got -0.01 m"):
         replace(ARC, law=LAWS["constant"], overrun=-0.01)
 
 

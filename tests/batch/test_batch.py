@@ -210,7 +210,7 @@ def test_every_fault_of_a_table_at_once() -> None:
     with pytest.raises(InputError) as error:
         solve_batch(table, SHIPPED)
     text = str(error.value)
-    for part in ("belt_width", "row 1", "2 rows are like this", "diameter", "recovery", "nylon"):
+    for part in ("belt_width", "row 1", "Correct rows 1, 2.", "diameter", "recovery", "nylon"):
         assert part in text
     with pytest.raises(InputError, match="at least 1"):
         solve_batch(designs(2, 1), SHIPPED[0], threads=0)

@@ -91,7 +91,7 @@ def test_the_old_name_is_refused_and_the_new_one_named() -> None:
     assert OLD not in rows
     with pytest.raises(KeyError, match=NEW):
         rows[OLD]
-    with pytest.raises(InputError, match=f"no such result. Now {NEW}"):
+    with pytest.raises(InputError, match=f"no such result, .*Write {NEW}"):
         study_of(TAKE_UP, outputs=[OLD])
 
 

@@ -244,8 +244,8 @@ def test_tachometers_compare_the_belt_with_the_shaft() -> None:
         ('number=[{quantity="exit_creep", value="13", sd="1 mm"}]', "no unit"),
         ('number=[{quantity="exit_creep", value="13 mm", sd="0 mm"}]', "must be more than 0"),
         ('prior.overrun={mean="0.1 mm", sd="0.1 mm"}', "is not among the parameters"),
-        ('record=[{file="no.csv"}]', "there is no such file"),
-        ("drive=no.toml", "cannot be read"),
+        ('record=[{file="no.csv"}]', "file not found"),
+        ("drive=no.toml", "file not found"),
     ],
 )
 def test_bad_input_is_told(setting: str, sentence: str) -> None:

@@ -113,7 +113,7 @@ def test_the_command(tmp_path: Path) -> None:
         (["--hours", "6000"], "no load case with hours"),
         (["--hours", "full=6000"], "the drive has no such load case"),
         (["--hours", "design=9000"], "must be between 0 and 8784"),
-        (["--hours", "design=6000", "--hours", "empty=3000"], "9000 in all, and a year has 8784"),
+        (["--hours", "design=6000", "--hours", "empty=3000"], "must sum to at most 8784"),
         (["--measured-wear", "4 mm"], "needed with a measured wear: the hours that it took"),
         (["--measured-wear", "4", "--wear-hours", "design=1"], "no unit"),
         (["--depth", "30 mm"], "more than the lagging has, 12 mm"),
@@ -152,7 +152,7 @@ def test_wear_shows_as_a_difference_of_speed() -> None:
     told = told_in(field_sheet(found, NO_DRIVE, "Drive", "head"), "si").verdict
     assert told is not None
     text = " ".join(told.sentences)
-    assert "need the drum speed from a measured circumference" in text
+    assert "need the pulley speed from a measured circumference" in text
     assert "1 mm moves every difference by 0.25 %, and 8 mm by 2 %" in text
 
 
@@ -191,13 +191,17 @@ def test_levels_are_what_a_tachometer_pair_shows(tmp_path: Path) -> None:
     assert worn == pytest.approx(6.0 / 400.0 * (1.0 - ran.json["alarm"]), rel=1e-9)
     assert ran.json["drift"] == pytest.approx(1.0 / 0.4)
     text = wraparc("field", example, *covers, "--full").words
+    assert "Speed difference -0.545 % exceeds the -1.30 % alarm level (head, start)." in text
     assert "shaft to belt: 1 - v/(omega R), what a tachometer pair shows" in text
-    assert "Drum speeds are those at the lagging surface" not in text
+    assert "Pulley speeds are those at the lagging surface" not in text
 
 
 def test_without_the_thickness_no_level_is_a_bare_ok(tmp_path: Path) -> None:
     text = wraparc("field", drive_file(tmp_path), "--full").words
-    assert "Drum speeds are those at the lagging surface: 10 mm of belt on a drum of 800 mm" in text
+    assert (
+        "Pulley speeds are those at the lagging surface: 10 mm of belt on a pulley of 800 mm"
+        in text
+    )
     found = FieldNumbers(
         healthy={"design": (0.004, 0.010)}, at_limit=None, at_breakaway=None, alarm=0.0125,
         trip=0.025, wear_per_year=math.nan, life_years=math.nan, energy_per_year=0.0,
@@ -236,7 +240,7 @@ def test_a_drum_is_not_measured_again_for_wear_that_no_tape_tells() -> None:
     head = wraparc("field", str(example("head-drive-fabric")), "--full")[1]
     said = " ".join(head.split())
     assert "any wear since it was measured raises the alarm by itself" in said
-    assert "Measure the drum's surface instead of its shaft." in said
+    assert "Measure the pulley's surface instead of its shaft." in said
     tandem = " ".join(wraparc("field", str(example("tandem-fabric")), "--full")[1].split())
     assert "again for every 0.246 mm worn off" in tandem
 

@@ -95,7 +95,7 @@ def test_other_units_and_number_signs(
     [
         ("time [s],rotation,belt displacement [mm],lagging shear [deg]", "has no unit"),
         ("time [s],rotation [mm],belt displacement [mm],lagging shear [deg]", "rotation"),
-        ("a,b,c,d", "no column could be told to be the angle"),
+        ("a,b,c,d", "no column is recognised as angle"),
         (
             "time [s],rotation [deg],belt creep [mm],belt travel [mm]",
             "several columns could be the displacement",
@@ -145,7 +145,7 @@ def test_a_sign_that_cannot_be_told_is_asked(result: ArcResult) -> None:
     both = np.where(along < np.pi, np.sin(2 * along), 0.0)
     odd = PulleyRecord(record.angle, None, both)
     with pytest.raises(
-        InputError, match=r"so its sign cannot be told\. Write signs\.shear_angle = 1"
+        InputError, match=r"changes its sign under the belt\. Write 1 if it is positive"
     ):
         fold(odd, DRIVE, "head", "design")
     fold(odd, DRIVE, "head", "design", choices=RecordChoices(signs={"shear_angle": 1}))

@@ -109,18 +109,21 @@ def test_names_are_found_whatever_their_case_and_blanks() -> None:
     [
         (
             "ST2000",
-            '"ST2000": the catalogue has no belt of this name. Did you mean "Flexsteel ST2000"? '
-            "The command `wraparc belts` lists them.",
+            (
+                'the catalogue has no belt of this name, got "ST2000". Did you mean "Flexsteel '
+                'ST2000"?'
+            ),
         ),
         (
             "Plylon Plus 1000/6",
-            '"Plylon Plus 1000/6": the catalogue has no belt of this name. Did you mean "Plylon '
-            'Plus 1200/6" or "Plylon Plus 1000/5" or "Plylon Plus 1000/4"? The command `wraparc '
-            "belts` lists them.",
+            (
+                'the catalogue has no belt of this name, got "Plylon Plus 1000/6". Did you '
+                'mean "Plylon Plus 1200/6" or "Plylon Plus 1000/5" or "Plylon Plus 1000/4"?'
+            ),
         ),
         (
             "?",
-            '"?": the catalogue has no belt of this name. The command `wraparc belts` lists them.',
+            'the catalogue has no belt of this name, got "?". List them: wraparc belts.',
         ),
     ],
 )
@@ -134,8 +137,7 @@ def test_an_unknown_lagging_names_the_nearest() -> None:
     with pytest.raises(InputError) as caught:
         lagging_text("../costs")
     assert str(caught.value) == (
-        '"../costs": the catalogue has no lagging of this name. '
-        "The command `wraparc laggings` lists them."
+        'the catalogue has no lagging of this name, got "../costs". List them: wraparc laggings.'
     )
     assert lagging_names() == ("diamond-rubber", "full-ceramic", "medium-ceramic")
 

@@ -58,7 +58,7 @@ def test_what_a_length_by_default_is_worth_is_told() -> None:
     assert told.tension == pytest.approx(longer.peak_tension.value, rel=1e-9)
     said = shown(run_sheet(run), "si").verdict
     assert said is not None
-    assert any(s.startswith("carry_run is not given: 50 m") for s in said.sentences)
+    assert any(s.startswith("carry_run is missing: 50 m") for s in said.sentences)
 
 
 @pytest.mark.parametrize(

@@ -82,7 +82,7 @@ def test_what_slips_has_no_share_torque_or_speed(slipping: Path) -> None:
     assert ran.code == 1
     assert "FAILS Gross slip: safety 0.312 is below 1 (second, design)." in ran.words
     full = wraparc("solve", slipping, "--full").words
-    assert "Load case design: second breaks away: no creep makes enough friction." in full
+    assert "Load case design: Gross slip on second: no creep gives enough friction." in full
     assert "second carries 50 %" not in full.partition("Load case empty")[0]
 
 

@@ -23,7 +23,7 @@ carry_cover = "7 mm"
 carcass = "6 mm"
 mass = "20 kg/m"
 """
-SURFACE = "Drum speeds are those at the lagging surface: 10 mm of belt on a drum of "
+SURFACE = "Pulley speeds are those at the lagging surface: 10 mm of belt on a pulley of "
 
 COMMANDS = {
     "solve": ("solve", "head-drive-fabric.toml", "--full"),

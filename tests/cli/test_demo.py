@@ -45,7 +45,7 @@ def test_a_changed_example_is_kept_and_solved(tmp_path: Path) -> None:
     drive.write_text(drive.read_text("utf-8").replace("ROM conveyor", "my conveyor"), "utf-8")
     ran = wraparc("demo", "--into", tmp_path)
     assert ran.out.startswith("Head drive, my conveyor")
-    assert f"Kept your own {drive}." in ran.out
+    assert f"Unchanged: your own {drive}." in ran.out
     assert "my conveyor" in drive.read_text("utf-8")
 
 
@@ -64,9 +64,8 @@ def test_a_place_that_cannot_be_used(tmp_path: Path) -> None:
     (tmp_path / "taken").write_text("", "utf-8")
     ran = wraparc("demo", "--into", tmp_path / "taken")
     assert (ran.code, ran.out) == (2, "")
-    assert ran.err.endswith(
-        "cannot be used for the examples: File exists. Name another folder with --into.\n"
-    )
+    assert ran.err.startswith("Error: --into: cannot be used for the examples: File exists, got ")
+    assert ran.err.endswith(" Name another folder with --into.\n")
 
 
 def test_the_command_to_type(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:

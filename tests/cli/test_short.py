@@ -106,7 +106,7 @@ def test_an_unknown_table_is_refused_before_anything_is_solved() -> None:
 def test_a_table_that_this_answer_lacks_is_told_with_those_it_has() -> None:
     ran = wraparc("solve", EXAMPLES / "head-drive-fabric.toml", "--table", "conveyor")
     assert ran.code == 2
-    assert '--table = "conveyor": no such table in this answer. It has checks, least,' in ran.err
+    assert '--table: no such table in this answer, got "conveyor". It has checks, least,' in ran.err
 
 
 @pytest.mark.parametrize(

@@ -107,7 +107,7 @@ def test_a_creep_limit_goes_over_every_pulley(tmp_path: Path) -> None:
 def test_every_method_is_offered(drive: Path, method: str) -> None:
     ran = wraparc("solve", drive, "--method", method)
     assert ran.code == 0
-    assert ("The paper's march lumps the shrinkage" in ran.words) is (method != "distributed")
+    assert ("The paper's integration lumps the shrinkage" in ran.words) is (method != "distributed")
 
 
 def test_both_methods_stand_side_by_side(drive: Path) -> None:
@@ -188,7 +188,7 @@ def test_json_of_a_breakaway(drive: Path) -> None:
     assert ran.code == 1
     (arc,) = ran.json["arcs"]
     assert arc["status"] == "breakaway"
-    assert arc["status_text"].startswith("Breakaway")
+    assert arc["status_text"].startswith("Gross slip")
     assert arc["gross_slip_creep"] is None
     assert "gross_slip_creep" in arc["unbounded"]
     assert ran.json["verdict"]["level"] == "FAILS"
@@ -275,12 +275,12 @@ def test_outputs_are_checked_before_anything_is_solved(drive: Path, tmp_path: Pa
     assert ran.out == ""
     assert ran.err == (
         "Error: 3 problems:\n"
-        f'  - --json = "{tmp_path}/none/x.json": there is no folder "{tmp_path}/none". Make the '
+        f'  - --json: its folder does not exist, got "{tmp_path}/none/x.json". Make the '
         "folder first.\n"
-        f'  - --csv = "{tmp_path}/x.txt": the kind of file is told by its ending, which must be '
-        f'.csv. Write for example "{tmp_path}/x.csv".\n'
-        f'  - --plot = "{tmp_path}/x.jpg": the kind of file is told by its ending, which must be '
-        f'.svg or .png or .pdf. Write for example "{tmp_path}/x.svg".\n'
+        f'  - --csv: must end in .csv, got "{tmp_path}/x.txt". '
+        f'Write for example "{tmp_path}/x.csv".\n'
+        f'  - --plot: must end in .svg or .png or .pdf, got "{tmp_path}/x.jpg". '
+        f'Write for example "{tmp_path}/x.svg".\n'
     )
     assert list(tmp_path.iterdir()) == [drive]
 
@@ -290,7 +290,7 @@ def test_the_input_is_never_written_over(tmp_path: Path) -> None:
     path = drive_file(tmp_path, name="d.json")
     ran = wraparc("solve", path, "--json", path)
     assert ran.code == 2
-    assert "is the file that is read, and would be written over. Choose another name." in ran.err
+    assert f'must not be a file that is read, got "{path}". Choose another name.' in ran.err
     assert path.read_text("utf-8") == DRIVE
 
 
@@ -302,10 +302,10 @@ def test_two_outputs_are_two_files(
     (tmp_path / "a.csv").symlink_to(tmp_path / "a.json")
     ran = wraparc("solve", drive, "--json", "a.json", "--csv", "a.csv")
     assert ran.code == 2
-    assert '--csv = "a.csv": --json writes to the same place. Name two files.' in ran.err
+    assert '--csv: --json writes to the same place, got "a.csv". Name two files.' in ran.err
     both = wraparc("solve", drive, "--json", "-", "--csv", "-")
     assert (both.code, both.out) == (2, "")
-    assert '--csv = "-": --json writes to the same place.' in both.err
+    assert '--csv: --json writes to the same place, got "-".' in both.err
 
 
 @pytest.mark.usefixtures("_no_solving")
@@ -329,23 +329,23 @@ def test_every_problem_of_a_file_is_told_in_full_sentences(tmp_path: Path) -> No
     assert (ran.code, ran.out) == (2, "")
     assert ran.err == (
         "Error: 2 problems:\n"
-        f'  - {path}: belt.width = "1200 kN": a force, where a length is needed. Write for '
+        f'  - {path}: belt.width: a force, where a length is needed, got "1200 kN". Write for '
         'example "1200 mm".\n'
-        f'  - {path}: pulley.head.entry_tension = "1,5 kN": a comma can mean a decimal point or '
-        'a thousands separator. Write "1.5 kN".\n'
+        f"  - {path}: pulley.head.entry_tension: a comma can mean decimal point or thousands "
+        'separator, got "1,5 kN". Write "1.5 kN".\n'
     )
 
 
 @pytest.mark.parametrize(
     ("arguments", "sentence"),
     [
-        (["--load-case", "emty"], '--load-case = "emty": the drive has no such load case. Did you '
-         'mean "empty"? It has "design", "empty".'),
-        (["--creep-limit", "10"], '--creep-limit = "10": no unit, where a length is needed. Write '
-         'the unit too, for example "1200 mm".'),
-        (["--creep-limit", "-1 mm"], '--creep-limit = "-1 mm": must be more than 0 mm and at most '
-         "1000 mm."),
-        (["--set", "belt.with=1 m"], 'belt.with = "1 m": unknown key. Did you mean "width"?'),
+        (["--load-case", "emty"], ('--load-case: the drive has no such load case, got "emty". '
+                                   'Did you mean "empty"?')),
+        (["--creep-limit", "10"], "--creep-limit: no unit, where a length is needed, got "
+                                  '"10". Write the unit too, for example "1200 mm".'),
+        (["--creep-limit", "-1 mm"], "--creep-limit: must be more than 0 mm and at most 1000 "
+                                     'mm, got "-1 mm".'),
+        (["--set", "belt.with=1 m"], 'belt.with: unknown key. Did you mean "width"?'),
     ],
 )  # fmt: skip
 def test_bad_options_are_told_in_full_sentences(
@@ -359,9 +359,7 @@ def test_bad_options_are_told_in_full_sentences(
 def test_a_missing_file() -> None:
     ran = wraparc("solve", "nowhere.toml")
     assert (ran.code, ran.out) == (2, "")
-    assert ran.err == (
-        "Error: nowhere.toml: cannot be read: No such file or directory. Check the path.\n"
-    )
+    assert ran.err == ("Error: nowhere.toml: file not found.\n")
 
 
 @given(st.text(max_size=40), st.text(max_size=40))

@@ -59,5 +59,5 @@ def test_a_belt_that_touches_does_not_wrap() -> None:
 
 
 def test_pulleys_that_overlap_are_refused() -> None:
-    with pytest.raises(InputError, match=r"only 600 mm from that of the pulley"):
+    with pytest.raises(InputError, match=r"overlaps the pulley: their centres are 600 mm apart"):
         wrap_angle(Point(x=-0.6, y=0.0, diameter=0.5), HEAD, Point(x=-9.0, y=-0.5))

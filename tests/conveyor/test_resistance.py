@@ -176,14 +176,18 @@ def test_everything_wrong_is_told_at_once() -> None:
 
 
 def test_what_does_not_fit_together_is_refused() -> None:
-    assert refused(lift=700.0) == ["lift: must be less than the length, 600 m"]
-    assert refused(take_up_distance=601.0)[0].startswith("take_up_distance: is more than")
-    assert refused(length=50.0, take_up_distance=0.0)[0].startswith("length: is below 80 m")
+    assert refused(lift=700.0) == ["lift: must be less than the length 600 m"]
+    assert refused(take_up_distance=601.0)[0].startswith(
+        "take_up_distance: must be at most the length"
+    )
+    assert refused(length=50.0, take_up_distance=0.0)[0].startswith(
+        "length: below 80 m, where no coefficient C is tabulated"
+    )
     assert refused(drive_at="middle")[0].startswith("drive_at: must be one of head, tail")
-    assert refused(lift=-36.0, take_up_tension=90e3)[0].endswith("no factor starts it")
+    assert "runs by itself" in refused(lift=-36.0, take_up_tension=90e3)[0]
     told = refused(take_up_tension=100.0)
     assert told
-    assert all(sentence.endswith("and a belt cannot push") for sentence in told)
+    assert all(" in load case " in sentence for sentence in told)
 
 
 def test_an_unusual_friction_factor_says_so() -> None:

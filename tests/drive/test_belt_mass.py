@@ -126,7 +126,9 @@ def test_it_is_written_once(given: str) -> None:
 
 
 def test_two_masses_are_refused_and_none_is_missing() -> None:
-    with pytest.raises(InputError, match="belt_mass = 40 kg/m"):
+    with pytest.raises(
+        InputError, match=r"belt.mass: must equal belt_mass 40 kg/m of \[conveyor\], got 46 kg/m"
+    ):
         drive_from_text(text('mass = "46 kg/m"', 'belt_mass = "40 kg/m"'))
     with pytest.raises(InputError, match=r"conveyor.belt_mass: missing.*or mass in \[belt\]"):
         drive_from_text(text())

@@ -87,10 +87,13 @@ def test_rubber_between_cords_adds_to_either_cover() -> None:
 @pytest.mark.parametrize(
     ("change", "problem"),
     [
-        ({"cord_diameter": 5e-3, "carcass": 6e-3}, "5 mm, and carcass is 6 mm"),
-        ({"cord_pitch": 12e-3}, "12 mm without cord_diameter"),
-        ({"cord_diameter": 12e-3, "cord_pitch": 12e-3}, "at most the cord diameter 12 mm"),
-        ({"cord_diameter": 5e-3, "thickness": 17e-3}, "too much for a belt of 17 mm"),
+        ({"cord_diameter": 5e-3, "carcass": 6e-3}, "must equal the carcass 6 mm, got 5 mm"),
+        ({"cord_pitch": 12e-3}, "cord_pitch: needs cord_diameter"),
+        (
+            {"cord_diameter": 12e-3, "cord_pitch": 12e-3},
+            "must be more than the cord diameter 12 mm, got 12 mm",
+        ),
+        ({"cord_diameter": 5e-3, "thickness": 17e-3}, "carcass = 18 mm, got 17 mm"),
     ],
 )
 def test_cords_that_contradict_are_refused(change: dict[str, float], problem: str) -> None:

@@ -82,7 +82,7 @@ def test_the_counterweight_hangs_on_its_strands() -> None:
     ("make", "said"),
     [
         (lambda: TakeUp(kind="rope"), "must be one of gravity, winch, fixed"),
-        (lambda: DesignStandard(name="own"), "missing, where the standard is your own"),
+        (lambda: DesignStandard(name="own"), "missing for a standard of your own"),
         (lambda: DesignStandard(friction=0.3), "only a standard of your own has one"),
         (lambda: DesignStandard(name="none", binding=True), "no standard was chosen"),
         (lambda: SafetyFactors(running=0.9), "must be between 1"),

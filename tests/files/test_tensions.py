@@ -78,16 +78,17 @@ def test_any_two_quantities(given: dict[str, str], keys: tuple[str, str]) -> Non
 @pytest.mark.parametrize("key", list(DRIVING))
 def test_one_quantity_is_not_enough(key: str) -> None:
     assert complaints(drive({key: DRIVING[key]})) == [
-        f"drive.toml: pulley.p1: only {key} is given, and it takes two quantities to fix the "
-        "tensions. Give two of entry_tension, exit_tension and one of effective_tension, torque, "
-        "power."
+        f"drive.toml: pulley.p1: {key} alone does not fix the tensions. Give two of "
+        "entry_tension, exit_tension, effective_tension (torque, power)."
     ]
 
 
 def test_none_at_all() -> None:
     assert complaints(drive({})) == [
-        "drive.toml: pulley.p1: no tensions are given. Give two of entry_tension, exit_tension and "
-        "one of effective_tension, torque, power."
+        (
+            "drive.toml: pulley.p1: tensions missing. Give two of entry_tension, exit_tension, "
+            "effective_tension (torque, power)."
+        )
     ]
 
 
@@ -112,8 +113,10 @@ def test_a_torque_without_a_diameter_lacks_the_diameter_alone() -> None:
 def test_three_that_agree_are_still_too_many() -> None:
     keys = ("entry_tension", "exit_tension", "power")
     assert complaints(drive({key: DRIVING[key] for key in keys})) == [
-        "drive.toml: pulley.p1: entry_tension, exit_tension and power are given, and two of them "
-        "fix the third. Leave one of them out."
+        (
+            "drive.toml: pulley.p1: entry_tension, exit_tension and power are one too many. "
+            "Leave one of them out."
+        )
     ]
 
 
@@ -121,21 +124,24 @@ def test_three_that_contradict_each_other() -> None:
     given = DRIVING | {"power": "300 kW"}
     keys = ("entry_tension", "exit_tension", "power")
     assert complaints(drive({key: given[key] for key in keys})) == [
-        "drive.toml: pulley.p1: entry_tension, exit_tension and power contradict each other: entry "
-        "less exit tension is 90 kN, power makes 100 kN. Leave one of them out."
+        "drive.toml: pulley.p1: power makes 100 kN, the tensions 90 kN. Leave one of them out."
     ]
 
 
 def test_a_pull_beyond_the_tight_side() -> None:
     text = drive({"entry_tension": "150 kN", "effective_tension": "160 kN"})
     assert complaints(text) == [
-        'drive.toml: pulley.p1.effective_tension = "160 kN": leaves an exit tension of -10 kN, '
-        "and a belt cannot push. Give a smaller pull or a larger tension on the slack side."
+        (
+            'drive.toml: pulley.p1.effective_tension: leaves an exit tension of -10 kN, got "160 '
+            'kN". Lower Te, or raise T2.'
+        )
     ]
     text = drive({"exit_tension": "150 kN", "power": "-450 kW"})
     assert complaints(text) == [
-        'drive.toml: pulley.p1.power = "-450 kW": leaves an entry tension of 0 kN, '
-        "and a belt cannot push. Give a smaller pull or a larger tension on the slack side."
+        (
+            'drive.toml: pulley.p1.power: leaves an entry tension of 0 kN, got "-450 kW". Lower '
+            "Te, or raise T2."
+        )
     ]
 
 
@@ -150,8 +156,8 @@ def test_power_needs_the_belt_speed() -> None:
 def test_a_faulty_speed_is_not_called_missing() -> None:
     text = drive({"exit_tension": "60 kN", "power": "270 kW"}).replace("3 m/s", "3 mm")
     assert complaints(text) == [
-        'drive.toml: belt.speed = "3 mm": a length, where a speed is needed. '
-        'Write for example "3 m/s".'
+        'drive.toml: belt.speed: a length, where a speed is needed, got "3 mm". Write for '
+        'example "3 m/s".'
     ]
 
 
@@ -181,8 +187,10 @@ def test_pulleys_apart_have_tensions_of_their_own() -> None:
 def test_a_gap_in_the_chain_is_named() -> None:
     text = drive({"entry_tension": "150 kN", "exit_tension": "90 kN"}, {})
     assert complaints(text) == [
-        "drive.toml: pulley.p2: no tensions are given. Give two of entry_tension, exit_tension and "
-        "one of effective_tension, torque, power."
+        (
+            "drive.toml: pulley.p2: tensions missing. Give two of entry_tension, exit_tension, "
+            "effective_tension (torque, power)."
+        )
     ]
 
 
@@ -235,7 +243,7 @@ def test_under_a_fixed_take_up_a_pull_alone_is_not_enough_where_the_sum_is_not_k
     case = '\n[[load_case]]\nname = "empty"\npulley.p1.effective_tension = "30 kN"\n'
     text = drive({"exit_tension": "60 kN"}, more=FIXED + case)
     (told,) = complaints(text)
-    assert "only effective_tension is given, and it takes two quantities" in told
+    assert "effective_tension alone does not fix the tensions" in told
 
 
 def test_pulleys_without_enough_of_their_own_make_no_load_case() -> None:
@@ -247,9 +255,10 @@ def test_pulleys_without_enough_of_their_own_make_no_load_case() -> None:
 def test_a_third_quantity_in_a_load_case() -> None:
     text = drive({"entry_tension": "150 kN", "exit_tension": "60 kN"}, more=CASES)
     assert complaints(text) == [
-        "drive.toml: load_case.empty.pulley.p1: entry_tension, exit_tension and power contradict "
-        "each other: entry less exit tension is 90 kN, power makes 30 kN. Give two of them "
-        "in the load case: they replace those of the pulley."
+        (
+            "drive.toml: load_case.empty.pulley.p1: power makes 30 kN, the tensions 90 kN. Give "
+            "two of them in the load case."
+        )
     ]
 
 
@@ -267,11 +276,10 @@ def test_faults_of_load_cases() -> None:
     """
     text = drive({"effective_tension": "90 kN", "exit_tension": "60 kN"}, more=more)
     assert complaints(text) == [
-        'drive.toml: load_case[2].pulley.p1.exit = "60 kN": unknown key. '
-        'Did you mean "exit_tension"?',
-        'drive.toml: load_case[2].pulley.p1.power = "90 kN": a force, where a power is needed. '
-        'Write for example "250 kW".',
+        'drive.toml: load_case[2].pulley.p1.exit: unknown key. Did you mean "exit_tension"?',
+        'drive.toml: load_case[2].pulley.p1.power: a force, where a power is needed, got "90 '
+        'kN". Write for example "250 kW".',
         'drive.toml: load_case[3].name: missing. Write name = "start".',
         'drive.toml: load_case[1].pulley.p2: no such pulley. The pulleys are "p1".',
-        'drive.toml: load_case.name = "empty": used 2 times. Give each its own name.',
+        'drive.toml: load_case.name: used 2 times, got "empty". Give each its own name.',
     ]

@@ -37,32 +37,32 @@ CASES: dict[str, tuple[Callable[[], object], list[str]]] = {
     "tested range": (
         lambda: TestedRange(pressure_min=3e5, pressure_max=2e5, slip_max=0.0),
         [
-            "pressure = 300000 .. 200000 Pa: the tested pressures must be positive, finite and in "
-            "order.",
-            "slip_max = 0 m: the largest tested slip must be positive and finite.",
+            "pressure: the tested pressures must be positive, finite and in order, got "
+            "300000 .. 200000 Pa.",
+            "slip_max: the largest tested slip must be positive and finite, got 0 m.",
         ],
     ),
     "constant": (
         lambda: Constant(friction_coefficient=-0.4),
-        ["friction_coefficient = -0.4: friction must be at least 1e-06 and finite."],
+        ["friction_coefficient: friction must be at least 1e-06 and finite, got -0.4."],
     ),
     "not a number": (
         lambda: Constant(friction_coefficient=nan),
-        ["friction_coefficient = nan: friction must be at least 1e-06 and finite."],
+        ["friction_coefficient: friction must be at least 1e-06 and finite, got nan."],
     ),
     "elastic-plastic": (
         lambda: ElasticPlastic(stiffness=inf, friction_coefficient=0.0),
         [
-            "friction_coefficient = 0: friction must be at least 1e-06 and finite.",
-            "stiffness = inf Pa/m: the stiffness must be positive and finite.",
+            "friction_coefficient: friction must be at least 1e-06 and finite, got 0.",
+            "stiffness: the stiffness must be positive and finite, got inf Pa/m.",
         ],
     ),
     "power": (
         lambda: PressurePower(friction_coefficient=0.0, reference_pressure=-1.0, exponent=1.0),
         [
-            "friction_coefficient = 0: friction must be at least 1e-06 and finite.",
-            "reference_pressure = -1 Pa: the pressure must be positive and finite.",
-            "exponent = 1: the exponent must lie in 0 <= n < 1.",
+            "friction_coefficient: friction must be at least 1e-06 and finite, got 0.",
+            "reference_pressure: the pressure must be positive and finite, got -1 Pa.",
+            "exponent: the exponent must lie in 0 <= n < 1, got 1.",
         ],
     ),
     "knots out of order": (
@@ -70,10 +70,10 @@ CASES: dict[str, tuple[Callable[[], object], list[str]]] = {
             pressure=(2e5, 1e5), peak_friction=(0.8, -0.7), peak_slip=(0.01, 0.0)
         ),
         [
-            "pressure = 200000, 100000 Pa: the pressures of the knots must be positive and in "
-            "ascending order.",
-            "peak_friction = 0.8, -0.7: friction must be at least 1e-06.",
-            "peak_slip = 0.01, 0 m: slip at the peak must be 1 nm to 1 km.",
+            "pressure: the pressures of the knots must be positive and in ascending order, "
+            "got 200000, 100000 Pa.",
+            "peak_friction: friction must be at least 1e-06, got 0.8, -0.7.",
+            "peak_slip: slip at the peak must be 1 nm to 1 km, got 0.01, 0 m.",
         ],
     ),
     "tails": (
@@ -85,8 +85,8 @@ CASES: dict[str, tuple[Callable[[], object], list[str]]] = {
             residual_friction=(0.0,),
         ),
         [
-            "post_peak_slope = 3 1/m: the slope past the peak must be 0 or negative.",
-            "residual_friction = 0: residual friction must be at least 1e-06.",
+            "post_peak_slope: the slope past the peak must be 0 or negative, got 3 1/m.",
+            "residual_friction: residual friction must be at least 1e-06, got 0.",
         ],
     ),
     "columns of different length": (
@@ -97,13 +97,13 @@ CASES: dict[str, tuple[Callable[[], object], list[str]]] = {
             post_peak_slope=(-1.0,),
         ),
         [
-            "peak_friction = 1 values: must have 2 values, one for each pressure.",
-            "post_peak_slope = 1 values: must have 2 values, one for each pressure.",
+            "peak_friction: must have 2 values, one for each pressure, got 1 values.",
+            "post_peak_slope: must have 2 values, one for each pressure, got 1 values.",
         ],
     ),
     "no knots": (
         lambda: PressureKnots(pressure=(), peak_friction=(), peak_slip=()),
-        ["pressure = 0: at least one knot is needed."],
+        ["pressure: at least one knot is needed, got 0."],
     ),
     "ends of the tested range": (
         lambda: IntegralLog(
@@ -113,31 +113,31 @@ CASES: dict[str, tuple[Callable[[], object], list[str]]] = {
             tested=RANGE,
         ),
         [
-            "tested = 40000 .. 600000 Pa: the tested pressures must be the ends of the law, "
-            "40000 .. 500000 Pa.",
+            "tested: the tested pressures must be the ends of the law, 40000 .. 500000 Pa, "
+            "got 40000 .. 600000 Pa.",
         ],
     ),
     "trend": (
         lambda: Trend(form="cubic", coefficients=(), sign=2),  # type: ignore[arg-type]
         [
-            "form = cubic: the form must be one of polynomial, logarithmic, power, exponential.",
-            "coefficients = 0: one to four coefficients are needed.",
-            "sign = 2: the sign must be 1 or -1.",
+            "form: the form must be one of polynomial, logarithmic, power, exponential, got cubic.",
+            "coefficients: one to four coefficients are needed, got 0.",
+            "sign: the sign must be 1 or -1, got 2.",
         ],
     ),
     "trend with an infinite coefficient": (
         lambda: Trend(coefficients=(1.0, inf)),
-        ["coefficients = (1.0, inf): must be finite."],
+        ["coefficients: must be finite, got (1.0, inf)."],
     ),
     "transition pressures": (
         lambda: CoefficientPieces(
             pressure=(2e5, 1e5, 3e5), pieces=(Piece(a=flat(-1), b=flat(-3)),), slip_unit=0.0
         ),
         [
-            "pressure = 200000, 100000, 300000 Pa: must have 2 pressures, the ends of 1 pieces.",
-            "slip_unit = 0 m: the unit of slip must be positive and finite.",
-            "pressure = 200000, 100000, 300000 Pa: the transition pressures must be positive, "
-            "finite and in ascending order.",
+            "pressure: must have 2 pressures, the ends of 1 pieces, got 200000, 100000, 300000 Pa.",
+            "slip_unit: the unit of slip must be positive and finite, got 0 m.",
+            "pressure: the transition pressures must be positive, finite and in ascending "
+            "order, got 200000, 100000, 300000 Pa.",
         ],
     ),
     "negative friction": (
@@ -154,19 +154,19 @@ CASES: dict[str, tuple[Callable[[], object], list[str]]] = {
             ),
         ),
         [
-            "pieces[1].a = 0.5 1/m: A must be negative between 100000 and 200000 Pa, else the law "
-            "gives no positive friction.",
-            "pieces[2].post_peak_slope = 1 1/m: the slope past the peak must be 0 or negative "
-            "between 200000 and 300000 Pa.",
-            "pieces[2].residual_friction = -0.1: residual friction must be at least 1e-06 "
-            "between 200000 and 300000 Pa.",
+            "pieces[1].a: A must be negative between 100000 and 200000 Pa, else the law "
+            "gives no positive friction, got 0.5 1/m.",
+            "pieces[2].post_peak_slope: the slope past the peak must be 0 or negative "
+            "between 200000 and 300000 Pa, got 1 1/m.",
+            "pieces[2].residual_friction: residual friction must be at least 1e-06 between "
+            "200000 and 300000 Pa, got -0.1.",
         ],
     ),
     "peak at no finite slip": (
         lambda: CoefficientPieces(pressure=(1e5, 2e5), pieces=(Piece(a=flat(-1e-3), b=flat(-3)),)),
         [
-            "pieces[1].b = -3 1/m: the slip at the peak exp(b/A - 1) must be 1 nm to 1 km between "
-            "100000 and 200000 Pa.",
+            "pieces[1].b: the slip at the peak exp(b/A - 1) must be 1 nm to 1 km between "
+            "100000 and 200000 Pa, got -3 1/m.",
         ],
     ),
     "peak beyond all that can slip": (  # 5e84 m, of a misplaced decimal point
@@ -174,13 +174,13 @@ CASES: dict[str, tuple[Callable[[], object], list[str]]] = {
             pressure=(1e5, 2e5), pieces=(Piece(a=flat(-0.05), b=flat(-9.8)),), slip_unit=1e-3
         ),
         [
-            "pieces[1].b = -9.8 1/m: the slip at the peak exp(b/A - 1) must be 1 nm to 1 km "
-            "between 100000 and 200000 Pa.",
+            "pieces[1].b: the slip at the peak exp(b/A - 1) must be 1 nm to 1 km between "
+            "100000 and 200000 Pa, got -9.8 1/m.",
         ],
     ),
     "slips of a table beyond that": (
         lambda: MeasuredTable(slip=(0.0, 1e-3, 2e3), pressure=(1e5,), values=((0.0, 0.4, 0.5),)),
-        ["slip = 2000 m: the slips must be at most 1 km."],
+        ["slip: the slips must be at most 1 km, got 2000 m."],
     ),
     "pieces that do not meet": (
         lambda: CoefficientPieces(
@@ -188,10 +188,10 @@ CASES: dict[str, tuple[Callable[[], object], list[str]]] = {
             pieces=(Piece(a=flat(-1), b=flat(-3)), Piece(a=flat(-1), b=flat(-3.1))),
         ),
         [
-            "pieces[2] = 7.38906 and 8.16617: peak friction jumps at the transition pressure "
-            "200000 Pa; pieces must meet within 2 %.",
-            "pieces[2] = 7.38906 and 8.16617: peak slip jumps at the transition pressure "
-            "200000 Pa; pieces must meet within 2 %.",
+            "pieces[2]: peak friction jumps at the transition pressure 200000 Pa; pieces "
+            "must meet within 2 %, got 7.38906 and 8.16617.",
+            "pieces[2]: peak slip jumps at the transition pressure 200000 Pa; pieces must "
+            "meet within 2 %, got 7.38906 and 8.16617.",
         ],
     ),
     "table": (
@@ -199,7 +199,7 @@ CASES: dict[str, tuple[Callable[[], object], list[str]]] = {
             slip=(1e-3, 5e-3), pressure=(2e5, 1e5), values=((0.1, 0.2), (0.1, -0.2, 0.3))
         ),
         [
-            "slip = 2 slips: at least two slips, the first of them 0, are needed.",
+            "slip: at least two slips, the first of them 0, are needed, got 2 slips.",
             "pressure: the pressures must be positive and in ascending order.",
             "friction: the table must have a row of 2 values for each of 2 pressures.",
             "friction: friction must be at least 1e-06 past slip 0, that or 0 at slip 0.",
@@ -262,13 +262,13 @@ def _tails(*tails: tuple[float, float]) -> CoefficientPieces:
 def test_tails_past_the_peak_must_meet_too() -> None:
     """Peak e^2 at e^2: a slope of -0.1 takes a tenth of the peak friction off over a peak slip."""
     assert problems(lambda: _tails((-0.1, 5.0), (-0.13, 5.0))) == [
-        "pieces[2].post_peak_slope = -0.1 and -0.13 1/m: the slope past the peak jumps at the "
-        "transition pressure 200000 Pa; pieces must meet within 2 % of the peak friction over a "
-        "peak slip."
+        "pieces[2].post_peak_slope: the slope past the peak jumps at the transition pressure "
+        "200000 Pa; pieces must meet within 2 % of the peak friction over a peak slip, got "
+        "-0.1 and -0.13 1/m."
     ]
     assert problems(lambda: _tails((-0.1, 5.0), (-0.1, 5.2))) == [
-        "pieces[2].residual_friction = 5 and 5.2: residual friction jumps at the transition "
-        "pressure 200000 Pa; pieces must meet within 2 %."
+        "pieces[2].residual_friction: residual friction jumps at the transition pressure "
+        "200000 Pa; pieces must meet within 2 %, got 5 and 5.2."
     ]
     _tails((-0.1, 5.0), (-0.119, 5.09))  # within 2 %
     _tails((0.0, 9.0), (-0.5, 9.0))  # a slope without a level below the peak does nothing

@@ -26,12 +26,17 @@ DATA = Path(__file__).with_name("data")
 KNOWN = 1e-11  # of a number: what is kept of it
 
 
-def record(door: str, examples: Path = EXAMPLES) -> dict[str, Any]:
-    """Return the answers of one door, as a golden file keeps them."""
+def answers_of(door: str, examples: Path = EXAMPLES) -> dict[str, Any]:
+    """Return the answers of one door, with their texts."""
     with tempfile.TemporaryDirectory() as folder:
         shutil.copytree(examples, folder, dirs_exist_ok=True)
         with contextlib.chdir(folder):
-            return {name: plain(answer) for name, answer in sorted(DOORS[door]().items())}
+            return dict(sorted(DOORS[door]().items()))
+
+
+def record(door: str, examples: Path = EXAMPLES) -> dict[str, Any]:
+    """Return the answers of one door, as a golden file keeps them."""
+    return {name: plain(answer) for name, answer in answers_of(door, examples).items()}
 
 
 def golden(door: str) -> dict[str, Any]:

@@ -12,6 +12,7 @@ the last digit may turn.
 
 from collections.abc import Iterator
 from functools import cache
+from typing import Any
 
 import numpy as np
 import pytest
@@ -19,7 +20,10 @@ import pytest
 from answer.moving import moved
 from golden.answers import DOORS, TRAINS
 from golden.compare import Difference, Kind, differences
-from golden.record import DATA, golden, record
+from golden.plain import plain
+from golden.record import DATA, answers_of, golden
+from wording.texts import answer_texts
+from wording.words import in_context
 from wraparc.arc import ArcResult, Distributed, WrapArc
 from wraparc.train.locate import locate
 
@@ -55,9 +59,21 @@ def tolerance(door: str, name: str) -> float:
     return TRAIN if door == "web-trains" or any(train in name for train in TRAINS) else ARC
 
 
-@pytest.mark.parametrize("door", DOORS)
-def test_answers_are_what_they_were(door: str) -> None:
-    old, new = golden(door), record(door)
+@pytest.fixture(scope="module", params=DOORS)
+def answered(request: pytest.FixtureRequest) -> tuple[str, dict[str, Any]]:
+    """Return a door and its answers: asked once, for the numbers and for the words."""
+    return request.param, answers_of(request.param)
+
+
+def test_no_answer_has_a_word_of_the_list(answered: tuple[str, dict[str, Any]]) -> None:
+    door, answers = answered
+    every = [hit for _, text in answer_texts(answers, door) for hit in in_context(text)]
+    assert list(dict.fromkeys(every)) == []
+
+
+def test_answers_are_what_they_were(answered: tuple[str, dict[str, Any]]) -> None:
+    door, answers = answered
+    old, new = golden(door), {name: plain(answer) for name, answer in answers.items()}
     found: list[Difference] = []
     for name in old.keys() | new.keys():
         one, other = ({name: side[name]} if name in side else {} for side in (old, new))

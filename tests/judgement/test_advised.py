@@ -100,7 +100,7 @@ def followed_what_if(of: Drive) -> None:
     rows: dict[str, Row] = {row.title: row for row in sheet.tables[0].rows}
     for place, whole in enumerate((of, *(change.drive for change in changes))):
         (text,) = (
-            row.values[place] for title, row in rows.items() if title.startswith("Minimum T")
+            row.values[place] for title, row in rows.items() if re.match("Minimum .*T[12]$", title)
         )
         assert isinstance(whole, Drive)
         standards = (row for title, row in rows.items() if title.startswith("The same by"))

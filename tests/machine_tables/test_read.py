@@ -30,7 +30,7 @@ def test_an_ambiguous_comma_is_asked_about() -> None:
 def test_decimal_commas_between_delimiting_commas_are_refused() -> None:
     table = "\n".join(f"0,{k},1,{k}" for k in range(1, 20))
     text = problems(f"Extension (mm),Load (N)\n{table}\n".encode())
-    assert "its 4 columns of whole numbers are what decimal commas make of fewer" in text
+    assert "its 4 columns of whole numbers look split at decimal commas" in text
     # where they are not, it is told that the names do not fit
     table = "\n".join(f"0.5,{k},-1.5,{k}" for k in range(1, 20))
     text = problems(f"Extension (mm),Load (N)\n{table}\n".encode())
@@ -192,7 +192,7 @@ def test_settings_are_no_readings() -> None:
     settings = "\n".join(f"Channel {name};{k};{2 * k}" for k, name in enumerate("abcdefghijklmnop"))
     head = "Name;Load [N];Displacement [mm]\n"
     said = problems((head + settings + "\n").encode())
-    assert "it holds settings or results (lines 2 to 17: each row under a name" in said
+    assert "holds settings or results in lines 2 to 17, no readings" in said
     assert len(read_machine_bytes((head + settings).encode(), "x", Choices(table=1)).force) == 16
     rows = "\n".join(f"{0.1 * k:.1f};{0.25 * k:.2f}" for k in range(12))
     both = f"{head}{settings}\n\nWeg [mm];Kraft [N]\n{rows}\n"

@@ -33,7 +33,7 @@ def test_what_unpacks_to_too_much_is_refused_without_unpacking_it(
         packed = packed[: at + 24] + struct.pack("<I", 100) + packed[at + 28 :]
         packed = packed[:22] + struct.pack("<I", 100) + packed[26:]
     tracemalloc.start()
-    with pytest.raises(InputError, match="unpacks to too much"):
+    with pytest.raises(InputError, match="unpacks to more than 100 times its"):
         tables_in_workbook(packed, "bomb.xlsx")
     _, peak = tracemalloc.get_traced_memory()
     tracemalloc.stop()
@@ -68,9 +68,9 @@ def far(*cells: str) -> bytes:
 @pytest.mark.parametrize(
     ("cells", "reach"),
     [
-        (("A1", "XFD1048576"), "row 1048576 and column 16384"),
-        (("A1048576", "S1"), "row 1048576 and column 19"),
-        (("ALM1",), "row 1 and column 1001"),
+        (("A1", "XFD1048576"), "row 1048576, column 16384"),
+        (("A1048576", "S1"), "row 1048576, column 19"),
+        (("ALM1",), "row 1, column 1001"),
     ],
 )
 def test_a_sheet_with_a_cell_far_away_is_refused_before_it_is_read(
@@ -78,7 +78,7 @@ def test_a_sheet_with_a_cell_far_away_is_refused_before_it_is_read(
 ) -> None:
     """The first of these ended the process; the second took 1.4 GB."""
     monkeypatch.setattr(workbook, "_read", None)
-    with pytest.raises(InputError, match=f"reaches to {reach}: it has more cells"):
+    with pytest.raises(InputError, match=f"reaches {reach}: more than 4 million cells"):
         tables_in_workbook(far(*cells), "far.xlsx")
 
 

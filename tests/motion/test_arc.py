@@ -284,7 +284,7 @@ def test_work_of_a_start_goes_where_it_must() -> None:
 
 
 def test_an_overrun_towards_travel_has_no_motion() -> None:
-    sentence = 'overrun = -0.05 mm: is towards travel: .* Set overrun = "0 mm"'
+    sentence = 'overrun: must be rearward for an event in time, .* Write overrun = "0 mm"'
     with pytest.raises(InputError, match=sentence):
         MovingArc(replace(RIGID, overrun=-5e-5), 20)
 
@@ -292,10 +292,10 @@ def test_an_overrun_towards_travel_has_no_motion() -> None:
 @pytest.mark.parametrize(
     ("law", "sentence"),
     [
-        (Constant(friction_coefficient=0.4), "Give the thickness and the shear modulus"),
+        (Constant(friction_coefficient=0.4), "creep in time is not unique on a rigid lagging"),
         (
             MeasuredTable(slip=(0.0, 1e-3, 2e-3), pressure=(1e5,), values=((0.0, 0.1, 0.5),)),
-            "does not rise from 0 along a concave curve",
+            "the measured table is not concave from 0",
         ),
     ],
 )

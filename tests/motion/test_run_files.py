@@ -64,7 +64,7 @@ def test_an_interrupted_run_goes_on_to_the_same_file(
     rows = len((tmp_path / "rows.csv.part").read_text("utf-8").splitlines()) - 1
     assert rows > 5
     assert ran.err.endswith(
-        f"Interrupted.\n{rows} rows are kept in {tmp_path}/rows.csv.part. "
+        f"Interrupted.\n{rows} rows are saved in {tmp_path}/rows.csv.part. "
         f"{tmp_path}/rows.csv was not written. {tmp_path}/a.svg was not written. "
         f"The same command goes on from {state}.\n"
     )

@@ -124,11 +124,11 @@ def test_tensions_duty_and_nips_are_written() -> None:
 def test_the_second_method_is_drawn_over_the_first() -> None:
     shown = axes(plot_drive([solved(), marched()]))
     for title in ("Belt tension", "Friction", "Creep and slip", "Lagging shear"):
-        assert "paper's march" in lines(shown[title])
-    other = lines(shown["Creep and slip"])["paper's march"]
+        assert "paper's integration" in lines(shown[title])
+    other = lines(shown["Creep and slip"])["paper's integration"]
     assert drawn(other)[-1] == pytest.approx(1e3 * marched().arc("head").exit_creep)
     labels = [label.get_text() for label in shown["Creep by source"].get_yticklabels()]
-    assert labels == ["distributed", "paper's march"]
+    assert labels == ["distributed", "paper's integration"]
 
 
 def test_the_creep_budget_is_drawn_to_scale() -> None:
@@ -177,7 +177,7 @@ def test_title_answer_and_remarks_are_written() -> None:
     assert texts[1].startswith("Creep at exit 7.49 mm, more than the limit of 6.35 mm;")
     assert "The friction of diamond-rubber is illustrative" in texts[2]
     broken = [text.get_text() for text in plot_drive([solved(150e3, 2e3)]).figure.texts]
-    assert "Breakaway: the friction cannot carry this load, T1/T2 = 75." in broken
+    assert "Gross slip: friction cannot transmit this load, T1/T2 = 75." in broken
     assert any(text.startswith("The whole wrap slips:") for text in broken)
     assert list(axes(plot_drive([solved(150e3, 2e3)]))) == [""]  # the pulley alone
 

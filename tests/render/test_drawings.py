@@ -35,7 +35,7 @@ def test_words_of_pictures_can_be_read_and_searched(system: System) -> None:
     )  # fmt: skip
     assert {"driving", "entry nip", "exit nip"} <= set(texts(pulley))
     assert ("T1 = 150 kN" if system == "si" else "T1 = 33700 lbf") in texts(pulley)
-    assert {"Creep by source", "distributed", "paper's march"} <= set(texts(budget))
+    assert {"Creep by source", "distributed", "paper's integration"} <= set(texts(budget))
     assert {"Belt tension", "Friction", "Creep and slip", "Lagging shear"} <= set(texts(profiles))
     assert all(len(d.alt) > 60 and d.caption.endswith(".") for d in (pulley, budget, profiles))
 

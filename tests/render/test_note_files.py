@@ -16,7 +16,7 @@ from wraparc import MissingExtraError, solve
 from wraparc.answer.document import result_document
 from wraparc.glossary import GLOSSARY
 from wraparc.render import NoteHead, markdown, pdf, workbook
-from wraparc.units import System, unit_factor
+from wraparc.units import System, in_units, percent, unit_factor
 
 pytestmark = pytest.mark.usefixtures("solved_once")
 
@@ -74,7 +74,7 @@ def test_inputs_are_numbers_with_their_origin() -> None:
     heads, *rows = sheets(workbook(BOTH))["Inputs"]
     inputs = {(row[0], row[1]): dict(zip(heads, row, strict=True)) for row in rows}
     diameter = inputs["Pulley head", "Diameter over lagging"]
-    assert (diameter["Value"], diameter["Unit"], diameter["Kind"]) == (800.0, "mm", "given")
+    assert (diameter["Value"], diameter["Unit"], diameter["Kind"]) == (800.0, "mm", "input")
     modulus = inputs["Lagging diamond-rubber", GLOSSARY["shear_modulus"].title]
     assert modulus["Kind"] == "published"
     assert "DeVries" in modulus["Source"]
@@ -139,8 +139,15 @@ def test_a_train_brings_its_loads_shares_and_motors() -> None:
     shares = [row[heads.index(GLOSSARY["share"].title)] for row in there["Results"][1:10]]
     expected = [m.share for case in whole for m in case.members]
     assert shares == pytest.approx(expected, rel=1e-12)
+    told = {(row[0], row[1], row[3]): row[4:6] for row in there["Tables"][1:]}
+    for member in whole.cases[0].members:
+        value, unit = told["Drives: load case design", "Speed trim", member.name]
+        assert (value, unit) == (pytest.approx(100.0 * member.speed_trim, rel=1e-12), "%")
     text = markdown(results, train=whole)
-    assert "### Shares and speeds" in text
+    for case in whole:
+        table = text.partition(f"### Drives: load case {case.case.name}\n")[2]
+        parts = "".join(f" {in_units(percent(m.share))} |" for m in case.members)
+        assert f"| Share of the load | f |{parts}" in table.replace("\\", "")
     assert "induction motor with fluid coupling" in text
 
 

@@ -139,7 +139,7 @@ def test_a_breakaway_is_reported_as_such() -> None:
     assert note.told.level == "FAILS"
     sentence = in_units(note.told.text)
     assert re.fullmatch(r"Gross slip: safety 0\.\d+ is below 1 \(head, full\)\.", sentence)
-    assert note.summary.startswith("4 of 7 checks pass.")
+    assert note.sections[0].sentences[0] == "4 of 7 checks pass."
     assert pages(pdf([broken])) <= 4
 
 

@@ -82,7 +82,7 @@ def test_a_breakaway_is_reported_and_told_by_the_exit_code(tmp_path: Path) -> No
     [
         (
             ("-o", "note.doc"),
-            "the kind of file is told by its ending, which must be .pdf or .xlsx or .md",
+            "must end in .pdf or .xlsx or .md",
         ),
         (("-o", "no/such/note.pdf"), "there is no folder"),
         (("-o", DRIVE[:-5] + ".pdf", "--case", "nigth"), "the drive has no such load case"),
@@ -107,7 +107,7 @@ def test_the_drive_file_is_not_written_over(tmp_path: Path) -> None:
     own.write_text(Path(DRIVE).read_text("utf-8"), "utf-8")
     ran = wraparc("report", str(own), "-o", str(own))
     assert ran.code == 2
-    assert "is the file that is read" in ran.err
+    assert "must not be a file that is read" in ran.err
     assert own.read_text("utf-8").startswith("#")
 
 

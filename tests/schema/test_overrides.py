@@ -122,34 +122,34 @@ def test_both_words_for_the_wrap_angle() -> None:
     [
         (
             "pulley.tail.diameter=1 m",
-            'drive.toml: pulley.tail.diameter = "1 m": pulley has nothing called "tail"; there is '
-            '"head", "no. 2".',
+            ('drive.toml: pulley.tail.diameter: pulley has nothing called "tail", got "1 m". '
+             'Write one of "head", "no. 2".'),
         ),
         (
             "pulley.haed.diameter=1 m",
-            'drive.toml: pulley.haed.diameter = "1 m": pulley has nothing called "haed"; there is '
-            '"head", "no. 2". Did you mean "head"?',
+            ('drive.toml: pulley.haed.diameter: pulley has nothing called "haed", got "1 m". '
+             'Did you mean "head"?'),
         ),
         (
             "pulley[3].diameter=1 m",
-            'drive.toml: pulley[3].diameter = "1 m": pulley has nothing called 3; there is '
-            '"head", "no. 2".',
+            ('drive.toml: pulley[3].diameter: pulley has nothing called 3, got "1 m". Write '
+             'one of "head", "no. 2".'),
         ),
         (
             "belt.width.mm=3",
-            "drive.toml: belt.width.mm = 3: belt.width has nothing called mm.",
+            "drive.toml: belt.width.mm: belt.width has nothing called mm, got 3.",
         ),
         (
             "belt.widht=1 m",
-            'drive.toml: belt.widht = "1 m": unknown key. Did you mean "width"?',
+            'drive.toml: belt.widht: unknown key. Did you mean "width"?',
         ),
         (
             "belt.width=1 kN",
-            'drive.toml: belt.width = "1 kN": a force, where a length is needed. '
-            'Write for example "1200 mm".',
+            'drive.toml: belt.width: a force, where a length is needed, got "1 kN". Write '
+            'for example "1200 mm".',
         ),
-        ("belt.width", '"belt.width": no setting of a key. '
-         "Write KEY=VALUE, belt.width=1400 mm."),
+        ("belt.width", ('no setting of a key, got "belt.width". Write KEY=VALUE, '
+                       "belt.width=1400 mm.")),
     ],
 )  # fmt: skip
 def test_overrides_that_lead_nowhere(override: str, expected: str) -> None:

@@ -69,7 +69,7 @@ def test_a_drive_that_is_solved_with_it_says_so(accepted: Path) -> None:
     drive = accepted.parent / "drive.toml"
     drive.write_text(text, "utf-8")
     words = wraparc("solve", drive, "--load-case", "design", "--full").words
-    assert "deviates from its tests (head, design)." in words
+    assert "Friction fit: test[1] (dry-0034kPa-1.csv): the curve requires a lash" in words
     assert f"The laboratory wrote it nevertheless: {REASON}." in words
 
 

@@ -212,11 +212,15 @@ def test_a_plan_states_largest_errors() -> None:
 @pytest.mark.parametrize(
     ("old", "new", "said"),
     [
-        ('"0.5 %"', '"80 %"', 'uncertainty.force = "80 %": must be a percentage from 0 % to 50 %.'),
-        ('"0.5 %"', "0.5", 'uncertainty.force = 0.5: must be a percentage. Write "0.5 %".'),
-        ('"0.5 %"', '"0,5"', 'uncertainty.force = "0,5": must be a percentage. Write "0.5 %".'),
-        ('"2 N"', '"-2 N"', 'uncertainty.zero = "-2 N": must be at least 0 kN.'),
-        ('"0.004 mm/kN"', '"4"', 'uncertainty.compliance = "4": must be a length over a force.'),
+        (
+            '"0.5 %"',
+            '"80 %"',
+            'uncertainty.force: must be a percentage from 0 % to 50 %, got "80 %".',
+        ),
+        ('"0.5 %"', "0.5", 'uncertainty.force: must be a percentage, got 0.5. Write "0.5 %".'),
+        ('"0.5 %"', '"0,5"', 'uncertainty.force: must be a percentage, got "0,5". Write "0.5 %".'),
+        ('"2 N"', '"-2 N"', 'uncertainty.zero: must be at least 0 kN, got "-2 N".'),
+        ('"0.004 mm/kN"', '"4"', 'uncertainty.compliance: must be a length over a force, got "4".'),
     ],
 )
 def test_errors_that_cannot_be_are_refused(old: str, new: str, said: str) -> None:

@@ -262,11 +262,11 @@ CURVES = [curve(k) for k in range(6)]
         (named([[[0.1, -0.1], *curve(0)], *CURVES[1:]]), "its friction goes down to -0.1"),
         (named([[[x / 25.4, y] for x, y in c] for c in CURVES]), "the slip would end at 0.472 mm"),
         (named(CURVES, ["34 kPa", *names()[:-1]]), "two curves of the file have this name"),
-        (named([CURVES[0], *CURVES[:-1]]), 'it has the same points as "f.json: 34 kPa"'),
+        (named([CURVES[0], *CURVES[:-1]]), 'has the same points as "f.json: 34 kPa"'),
         (named(CURVES, [*names()[:-1], "1,034 kPa"]), "1,034 kPa: the pressure of this curve is"),
         (named(CURVES, [*names()[:-1], "414 to 690 kPa"]), "414 to 690 kPa: the pressure of"),
         (named(CURVES, [*names()[:-1], "414-690 kPa"]), "414-690 kPa: the pressure of"),
-        (named(CURVES, [*names()[:-1], "690 kPa wet"]), 'its name says "wet", its test "dry"'),
+        (named(CURVES, [*names()[:-1], "690 kPa wet"]), 'is named "wet", its test "dry"'),
         (named(CURVES, ["0 kPa", *names()[1:]]), "its pressure is 0 kPa"),
         (named(CURVES, [f"{p:g} N/mm2" for p in PRESSURES]), "6 problems"),
     ],
@@ -362,8 +362,8 @@ def test_whether_the_slip_of_a_figure_includes_shear_is_asked(tmp_path: Path) ->
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        ("{", "it begins as JSON and is none"),
-        ('{"version": 4}', "there is no digitised curve in it"),
+        ("{", "is no valid JSON"),
+        ('{"version": 4}', "holds no digitised curve"),
         (json.dumps([{"name": "no pressure", "data": curve(0)}]), "pressure of this curve is not"),
         (json.dumps([{"name": "34 kPa", "data": curve(0, 5)}]), "the curve has 5 points only"),
     ],
@@ -384,7 +384,7 @@ def test_a_curve_is_chosen_by_its_name(tmp_path: Path) -> None:
 
 
 def test_coefficients_without_b_are_told(tmp_path: Path) -> None:
-    with pytest.raises(InputError, match="A and b are not both in it"):
+    with pytest.raises(InputError, match='lacks A or b, and has "A"'):
         fitted(tmp_path, "p,A\n1,-1\n2,-1\n3,-1\n", "ab.csv", AB)
 
 

@@ -81,8 +81,8 @@ def test_the_report_says_what_was_held() -> None:
     result = fitted(replace(plan, held=Held(peak_slip=16e-3, lash=0.5e-3)), records)
     condition = result.conditions[0]
     for row in shown(curves_table(condition, ""), "si").rows:
-        assert row.values[1] == "16 (held)"
-        assert row.values[3] == "0.5 (held)"
+        assert row.values[1] == "16 (fixed)"
+        assert row.values[3] == "0.5 (fixed)"
     slips = np.exp(condition.fit.peaks(np.array([100e3, 200e3, 300e3])))[:, 0]  # type: ignore[union-attr]
     assert slips == pytest.approx([16e-3] * 3, rel=1e-3)
     said = " ".join(shown(plan_sheet(result), "si").remarks)

@@ -125,7 +125,7 @@ def test_a_pressure_typed_ten_times_off_is_asked_about(
 def test_a_pull_in_another_unit_within_the_limits_is_asked_about() -> None:
     """Expected: 4.448 times smaller, as if lbf had been read as N."""
     found = shifted(1 / 4.448222, "p1r0", seed=1).conditions[0]
-    assert any("if its pull were 4.45 times as large" in sentence for sentence in found.misfit)
+    assert any("if its force were 4.45 times as large" in sentence for sentence in found.misfit)
 
 
 def test_sound_tests_are_not_asked_about() -> None:
@@ -191,7 +191,7 @@ def test_half_the_peak_is_not_taken_for_a_zero() -> None:
     assert low < 1.33 < high
     assert low > 0.5
     (told,) = (s.text for s in test.judged.misfit if s.about == "rubbing")
-    assert told.startswith("before the slip starts the force is 45 % of its largest value")
+    assert told.startswith("before the slip starts the force is 45 % of its maximum")
     assert "nothing was taken off" in told
 
 
@@ -216,7 +216,7 @@ def test_a_remainder_is_judged_by_noise_and_by_size() -> None:
     found = fitted(plan, records)
     assert told_in(verdict(found), "si").level is Level.ATTENTION
     (told,) = (s for s in found.conditions[0].misfit if "systematic remainder" in s)
-    assert "% of the largest friction (" in told
+    assert "% of the maximum friction (" in told
     assert "noise levels)" in told
 
 

@@ -61,8 +61,8 @@ def test_a_lash_larger_than_the_rigs_is_refused_not_fitted() -> None:
     assert found.fit.parameters.lash == 1e-3
     assert "lash" not in found.fit.free
     (sentence,) = (in_units(s.text) for s in found.misfit if s.about == "large lash")
-    assert sentence.startswith("the curve asks for a lash of 2.0")
-    assert "more than the 1 mm the rig can have: the lash was held there" in sentence
+    assert sentence.startswith("the curve requires a lash of 2.0")
+    assert "more than the 1 mm the rig can have: the lash was fixed there" in sentence
 
 
 @pytest.mark.parametrize(("jump", "way"), [(0.3, 0.05e-3), (0.3, 0.2e-3), (0.5, 0.1e-3)])
@@ -99,7 +99,7 @@ def test_friction_that_swings_without_a_period_is_said_without_a_question() -> N
     share = of.travel / of.travel[-1]
     swing = 1.0 + 0.06 * np.sin(2.0 * np.pi * 80.0 * share**3)
     remarks = judged(replace(of, force=of.force * swing)).remarks
-    (said,) = (text for text in remarks if "swings" in text)
+    (said,) = (text for text in remarks if "oscillates" in text)
     assert said.endswith("slower than the noise of the readings: it may be stick-slip")
 
 
@@ -162,7 +162,7 @@ def test_of_two_that_disagree_neither_is_told_to_be_wrong() -> None:
     found = scaled(2, 0.7)
     sentences = [s for s in found.misfit if "disagrees" in s]
     assert len(sentences) == 2
-    assert all("which of them is wrong cannot be told" in s for s in sentences)
+    assert all("which of them is wrong is not known" in s for s in sentences)
 
 
 @pytest.mark.parametrize("seed", [1, 2])
@@ -194,7 +194,7 @@ def test_an_area_that_is_wrong_for_all_is_asked_about_once() -> None:
     (told,) = (in_units(s) for s in found.misfit if "normal force" in s)
     assert told == in_units(found.misfit[0])
     assert "in 6 of 6 tests the measured normal force is 100 times what was set" in told
-    assert "sample_area: 4 cm2 is given, 400 cm2 would agree" in told
+    assert "sample_area: 4 cm2 as input, 400 cm2 would agree" in told
     assert not any("normal force" in s for s in fitted(plan, records).conditions[0].misfit)
 
 

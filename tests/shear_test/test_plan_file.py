@@ -86,12 +86,12 @@ def test_all_problems_come_at_once() -> None:
         ('"21 degC"', '"21"'),
         ("normal_force_column = 4", "normal_force_column = 0"),
     )
-    assert [p.split(": ")[1] for p in problems] == [
-        'lagging.thikness = "12 mm"',
-        'rig.sample_area = "400"',
-        'test[1].pressure = "-34 kPa"',
-        'test[1].temperature = "21"',
-        "test[2].normal_force_column = 0",
+    assert [p.split(". ")[0].removeprefix("plan.toml: ") for p in problems] == [
+        "lagging.thikness: unknown key",
+        'rig.sample_area: no unit, where an area is needed, got "400"',
+        'test[1].pressure: must be between 0.5 kPa and 20 MPa, got "-34 kPa".',
+        'test[1].temperature: no unit, where a temperature is needed, got "21"',
+        "test[2].normal_force_column: must be a number from 1, got 0",
     ]
 
 
@@ -106,17 +106,18 @@ def test_all_problems_come_at_once() -> None:
         (
             'pressure = "34 kPa"',
             'pressure = "34 kPa"\nnormal_force = "1 kN"',
-            'test[1].normal_force = "1 kN": given, and pressure as well. Keep one of them: '
-            "pressure = normal force / sample area.",
+            'test[1].normal_force: contradicts pressure, got "1 kN". Remove one of them.',
         ),
-        ("0.02 mm/kN", "0.02 mm", 'must be a length over a force. Write "0.02 mm/kN".'),
+        ("0.02 mm/kN", "0.02 mm", "rig.compliance: must be a length over a force, got"),
         ("0.02 mm/kN", "0.02 kN/mm", "rig.compliance"),
-        ("0.02 mm/kN", "-0.02 mm/kN", 'must be a length over a force. Write "0.02 mm/kN".'),
+        ("0.02 mm/kN", "-0.02 mm/kN", "rig.compliance: must be a length over a force, got"),
         ("format = 1", "format = 2", "format"),
         ("[rig]", "[rig]\nfaces = 3", "must be a whole number from 1 to 2"),
-        ('condition = "wet"', "condition = 1", "test[2].condition = 1"),
-        ("[columns]", "[fit]\npieces = 3\n[columns]", "fit.pieces = 3"),
-        ("[columns]", '[fit]\nvariables = "x"\n[columns]', 'fit.variables = "x"'),
+        ('condition = "wet"', "condition = 1", "test[2].condition: must be text, got 1."),
+        ("[columns]", "[fit]\npieces = 3\n[columns]", ("fit.pieces: must be a whole number "
+                                                       "from 1 to 2, got 3.")),
+        ("[columns]", '[fit]\nvariables = "x"\n[columns]', ('fit.variables: must be one of "peak", '
+                                                            '"coefficients", got "x".')),
         ("[columns]", "[columns", "line"),
     ],
 )  # fmt: skip

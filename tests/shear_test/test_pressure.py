@@ -96,7 +96,7 @@ def test_a_given_transition_is_kept() -> None:
     plan = replace(plan, options=PressureOptions(transition_pressure=200e3, pieces=2))
     found: Any = fitted(plan, records).conditions[0]
     assert found.fit.transition_pressure == pytest.approx(200e3)
-    assert "transition pressure given: 200 kPa" in in_units(" ".join(found.remarks))
+    assert "transition pressure, input: 200 kPa" in in_units(" ".join(found.remarks))
 
 
 def test_one_piece_where_one_is_asked_for() -> None:

@@ -21,12 +21,12 @@ from wraparc.units import in_units
 
 SAID = {
     "one load cell at its end": "readings of the force equal the largest",
-    "one travel sensor at its end": "the travel stands at its largest value",
+    "one travel sensor at its end": "the travel is constant at its maximum",
     "a tenth of the readings of one test lost": "readings are missing at 1 place",
     "a tenth of the readings of one test written twice": "rows repeat those before them",
     "5 % less friction a test, pressures upwards": "the pressures were tested in their order",
     "5 % less friction a test, mixed order": "from the first test to the last",
-    "stick-slip of 10 % in every curve": "stick-slip: friction swings by 1",
+    "stick-slip of 10 % in every curve": "stick-slip: friction varies by 1",
     "1 face in the plan, 2 slid": "do 1 of its faces slide",
 }
 
@@ -91,7 +91,7 @@ def test_a_travel_that_stands_at_the_start_is_told() -> None:
     record = one()
     travel = np.maximum(record.travel, 1.5e-3)
     (fault,) = reduced(replace(record, travel=travel)).faults
-    assert "stands at its first value" in fault.text
+    assert "is constant at its first value" in fault.text
 
 
 def slack_again(record: MachineRecord, least: float) -> MachineRecord:
@@ -189,7 +189,7 @@ def test_a_trend_within_chance_is_told_with_its_error() -> None:
     for test in lab.plan.tests:
         record = lab.records[test.file]
         lab.records[test.file] = replace(record, force=0.985 ** (test.order - 1) * record.force)
-    told = "friction shows no trend with the order of the tests beyond chance: "
+    told = "friction shows no significant trend with the order of the tests: "
     (text,) = (in_units(s) for s in lab.fit().conditions[0].remarks if s.startswith(told))
     assert float(text.removeprefix(told).split()[0]) == pytest.approx(-10.0, abs=5.0)
     assert text.endswith("standard error 3 %")

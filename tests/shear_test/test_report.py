@@ -90,7 +90,7 @@ def test_what_was_left_out_comes_first(sheet: Sheet) -> None:
 def test_files_and_circumstances(sheet: Sheet) -> None:
     files = table(sheet, "Files")
     assert files.heads == (
-        "rows", "kept", "of the pull", "normal force", "slip [mm]",
+        "rows", "used", "of the stroke", "normal force", "slip [mm]",
         "temperature", "speed", "date",
     )  # fmt: skip
     assert files.rows[0].values[5:] == ("21 degC", "10 mm/min", "2026-03-02")

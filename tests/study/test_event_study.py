@@ -55,7 +55,7 @@ def test_a_row_is_the_run_of_its_design_and_a_refused_one_says_why(tmp_path: Pat
     assert float(rows[1]["peak tension [N]"]) == pytest.approx(run.peak_tension.value, rel=1e-6)
     assert rows[1]["worst check"] == str(judge_run(run).level)
     assert rows[1]["verdict"] == judge_run(run).label
-    assert float(rows[1]["pulsates at [Hz]"]) == 0.0
+    assert float(rows[1]["oscillates at [Hz]"]) == 0.0
     # the other doors tell the same
     assert judge_run(run).level is Level.ATTENTION
     assert "ATTENTION 1 needs attention, 1 refused of 2 designs." in " ".join(done.out.split())
@@ -123,8 +123,8 @@ def test_a_full_disk_keeps_the_designs_that_were_followed(
         with pytest.raises(InputError) as caught:
             run_event_study(asked, path, resume=count > 1)
         assert str(caught.value) == (
-            f'"{place}": cannot be written: No space left on device; {count} of 2 designs are kept '
-            f"in {part}. Make room and go on with --resume."
+            f'"{place}": cannot be written: No space left on device; {count} of 2 designs are '
+            f"saved in {part}. Make room and go on with --resume."
         )
         assert sorted(p.name for p in tmp_path.iterdir()) == ["a.csv.part"]
     monkeypatch.undo()
@@ -177,5 +177,5 @@ def test_the_shipped_study_counts_its_values_evenly() -> None:
 
 def test_options_of_other_studies_are_refused(tmp_path: Path) -> None:
     file = DRIVE.parent / "studies" / "start-ramp.toml"
-    assert "--part: is not for a study over an event" in wraparc("study", file, "--part", "5").err
+    assert "--part: not for a study over an event" in wraparc("study", file, "--part", "5").err
     assert "6 designs, each followed through start" in wraparc("study", file, "--dry-run").out

@@ -140,7 +140,7 @@ def test_command_prints_and_writes_the_values(tmp_path: Path) -> None:
         ("pulley.head.wrap_angle", "exit_creep", "6 kN", {}, "kN"),
         ("pulley.head.wrap_angle", "exit_creep", "6 mm", {"pulley": "tail"}, "tail"),
         ("pulley.head.wrap_angle", "exit_creep", "6 mm", {"load_case": "stop"}, "stop"),
-        ("pulley.head.overrun", "exit_creep", "6 mm", {}, "has no value here to seek about"),
+        ("pulley.head.overrun", "exit_creep", "6 mm", {}, "has no value to start from"),
         (
             "pulley.head.wrap_angle", "exit_creep", "6 mm",
             {"least": "200 deg", "most": "190 deg"}, "is an empty range",

@@ -125,7 +125,7 @@ def test_parts_of_another_study_are_not_taken(tmp_path: Path) -> None:
     path = tmp_path / "a.parquet"
     with pytest.raises(_Stop):
         run_study(small(), path, Run(part_designs=16, progress=_stopping(16)))
-    with pytest.raises(InputError, match="an interrupted run has left its parts beside it"):
+    with pytest.raises(InputError, match="an interrupted run has left parts beside it"):
         run_study(small(), path)
     with pytest.raises(InputError, match="the parts there are of another study"):
         run_study(small(setting="precise"), path, Run(resume=True))
@@ -245,7 +245,7 @@ def test_a_run_killed_and_interrupted_ends_in_the_same_file(tmp_path: Path) -> N
         assert len(list(parts_folder(path).glob("*.parquet"))) == count
         assert not path.exists()
     assert process.returncode == 130, told
-    kept = f"2 of 3 parts are kept in {parts_folder(path)}: go on with --resume."
+    kept = f"2 of 3 parts are saved in {parts_folder(path)}: go on with --resume."
     assert f"Interrupted.\n{kept}\n" in told
     for into in (path, whole):
         ran = wraparc_process(*arguments, into, "--resume")

@@ -124,11 +124,11 @@ def test_a_cut_distribution_is_the_uncut_one_between_its_ends(
     [
         (
             lambda: Normal(mean=1.0, standard_deviation=-0.1),
-            "standard_deviation = -0.1: must be more than 0 and finite.",
+            "standard_deviation: must be more than 0 and finite, got -0.1.",
         ),
         (lambda: Normal(mean=1.0, standard_deviation=math.nan), "must be more than 0 and finite"),
-        (lambda: Uniform(low=2.0, high=2.0), "to = 2 to 2: from must be below to"),
-        (lambda: Triangular(low=1.0, mode=6.0, high=5.0), "mode = 6: must lie between"),
+        (lambda: Uniform(low=2.0, high=2.0), "to: from must be below to"),
+        (lambda: Triangular(low=1.0, mode=6.0, high=5.0), "mode: must lie between"),
         (
             lambda: Lognormal(median=1.0, geometric_standard_deviation=0.9),
             "must be a factor of more than 1",

@@ -103,7 +103,7 @@ def test_capacity_of_constant_friction(wraps: tuple[float, float]) -> None:
     for speeds in ((1.0, 1.0), (1.0, 0.99), (1.0, 1.01)):
         failed = tried(train(of, case(Speeds(speeds), 150e3, above)))
         assert failed.status is TrainStatus.BREAKAWAY
-        assert failed.reason == "p1 and p2 break away: no creep makes enough friction."
+        assert failed.reason == "Gross slip on p1 and p2: no creep gives enough friction."
 
 
 PEAK, SLIP = 0.8, 9e-3

@@ -276,8 +276,8 @@ def test_a_drum_faster_than_its_motor_allows() -> None:
     failed = tried(train(pulleys(2), case(Motors((DROOPING, slow)))))
     assert failed.status is TrainStatus.BEYOND_MOTOR
     assert failed.reason == (
-        "The belt drives the drum of p2 at 72.20 rpm, faster than its motor allows: 72.09 rpm at "
-        "most, where it cannot hold back."
+        "The belt drives pulley p2 at 72.20 rpm, faster than its motor allows: 72.09 rpm at "
+        "most, where it cannot brake."
     )
     with pytest.raises(InputError, match="faster than its motor allows"):
         solve_train(train(pulleys(2), case(Motors((DROOPING, slow)))), method=QUICK)
@@ -291,11 +291,11 @@ def test_a_motor_asked_for_more_than_it_has() -> None:
     failed = tried(train(pulleys(2), case(Motors((small, small)))))
     assert failed.status is TrainStatus.BEYOND_MOTOR
     assert failed.reason.startswith("The motor of p1 needs")
-    assert "its curve ends at 2.5; its drum turns at" in failed.reason
+    assert "its curve ends at 2.5; its pulley turns at" in failed.reason
 
 
 def test_shares_beyond_friction_name_the_drive() -> None:
-    with pytest.raises(BreakawayError, match=r"load case full: p2 breaks away") as caught:
+    with pytest.raises(BreakawayError, match=r"load case full: Gross slip on p2") as caught:
         solve_train(
             train(pulleys(2, "constant", overrun=0.0), case(Shares((0.05, 0.95)), 150e3, 30e3)),
             method=QUICK,

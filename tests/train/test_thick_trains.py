@@ -157,4 +157,4 @@ def test_speeds_without_thickness_say_what_they_miss() -> None:
     for belt, there in ((FABRIC, True), (THICK, False)):
         verdict = shown(train_verdict(solve_train(tandem(belt), method=QUICK)), "si")
         told = " ".join(verdict.sentences)
-        assert ("10 mm of belt on a drum of 800 mm would lower them by 1.25 %" in told) == there
+        assert ("10 mm of belt on a pulley of 800 mm would lower them by 1.25 %" in told) == there

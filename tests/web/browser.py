@@ -151,7 +151,7 @@ TABS = {
 
 def ask_now(page: Page) -> None:
     """Have the server asked at once, unless the page has done so by itself meanwhile."""
-    page.get_by_role("button", name="Ask now").evaluate_all("all => all.map((e) => e.click())")
+    page.get_by_role("button", name="Calculate").evaluate_all("all => all.map((e) => e.click())")
 
 
 def turn(page: Page, name: str) -> None:

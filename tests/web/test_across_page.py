@@ -165,8 +165,8 @@ def test_a_drawn_profile_is_what_the_command_line_solves(visitor: Visitor, tmp_p
     answer = json.loads(out)
     told = next(a for a in answer["across"] if a["load_case"] == "design")  # which is looked at
     running = shown(named("largest_running_tension", told["largest_running_tension"]), "si")
-    assert figure(page, "Largest tension, running") == running
-    assert figure(page, "Wear, largest over mean") == shown(
+    assert figure(page, "Maximum tension, running") == running
+    assert figure(page, "Wear, maximum over mean") == shown(
         named("energy_unevenness", told["energy_unevenness"]), "si"
     )
     text = file.read_text("utf-8")

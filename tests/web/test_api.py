@@ -141,7 +141,7 @@ def test_a_breakaway_is_an_answer(api: TestClient) -> None:
     for path in ("/solve/fast", "/solve"):
         found = post(api, path, document=drive)
         assert found["verdict"]["level"] == "FAILS"
-        assert worded(found["verdict"]["text"], "us").startswith("Gross slip")
+        assert "gross slip" in worded(found["verdict"]["text"], "us").lower()
 
 
 def test_every_error_comes_at_once_with_the_sentences_of_the_command_line(
@@ -236,9 +236,9 @@ def test_comparison_agrees_with_solving_and_pricing_each(api: TestClient) -> Non
     for name, row in rows.items():
         changed = with_lagging(drive, "head", load_lagging(name))
         result = Distributed().solve(WrapArc.of(changed, changed.pulleys[0], case))
-        assert row["cells"]["creep"]["value"] == pytest.approx(result.exit_creep, rel=1e-12)
+        assert row["cells"]["exit_creep"]["value"] == pytest.approx(result.exit_creep, rel=1e-12)
         margin = result.capacities.creep_limit_margin
-        assert row["cells"]["margin"]["value"] == pytest.approx(margin, rel=1e-12)
+        assert row["cells"]["creep_limit_margin"]["value"] == pytest.approx(margin, rel=1e-12)
         price = catalogue_price(load_lagging(name))
         energy = float(energy_cost(result.energy.power_loss, 5000, 0.2, 10))
         assert row["cells"]["cost_energy"]["value"] == pytest.approx(energy)
@@ -266,7 +266,7 @@ def test_comparison_judges_every_load_case_and_shows_one(api: TestClient) -> Non
         assert row["level"] == judged.level.value
         assert judged.governing is not None
         assert row["short"].endswith(f", {judged.governing.place.load_case}")
-        creep = row["cells"]["creep"]["value"]
+        creep = row["cells"]["exit_creep"]["value"]
         assert creep == pytest.approx(shown.exit_creep, rel=1e-12)
         least = least_tension(answered)
         assert least is not None
@@ -308,7 +308,8 @@ def test_comparison_of_a_train_is_that_of_solve(api: TestClient, change: dict[st
         tension = None if least is None or math.isinf(least.tension) else least.tension
         assert row["cells"]["least_slack"]["value"] == pytest.approx(tension)
         if found.status.solved:
-            assert row["cells"]["creep"]["value"] == pytest.approx(abs(found.exit_creep), rel=1e-6)
+            creep = row["cells"]["exit_creep"]["value"]
+            assert creep == pytest.approx(abs(found.exit_creep), rel=1e-6)
 
 
 def test_what_a_comparison_changes_makes_that_drive(api: TestClient) -> None:
@@ -325,7 +326,7 @@ def test_what_a_comparison_changes_makes_that_drive(api: TestClient) -> None:
                 else:
                     table[key] = change["value"]
             fast = post(api, "/solve/fast", document=drive)
-            exact = row["cells"]["creep"]["value"]
+            exact = row["cells"]["exit_creep"]["value"]
             assert fast["numbers"]["exit_creep"] == pytest.approx(exact, rel=1e-9)
 
 

@@ -247,7 +247,7 @@ def spoilt(document: Data, pick: random.Random) -> Data:
 
 def some_train(pick: random.Random) -> Data:
     """Return a train of shipped ones, with load cases that replace a part of its table."""
-    document = deepcopy(TRAINS[pick.choice([*TRAINS])])
+    document: Data = deepcopy(TRAINS[pick.choice([*TRAINS])])
     document.pop("motion", None)  # which the server alone reads
     cases = document.setdefault("load_case", [])
     cases += [{"name": f"case {i}", "train": {"effective_tension": "40 kN"}} for i in range(2)]

@@ -49,7 +49,7 @@ def test_bars_are_the_checks_of_the_command_line(visitor: Visitor) -> None:
     visitor.solved()
     page.wait_for_selector(".list li")
     assert_lengths(page, expected())
-    assert bars(page)["Creep at exit"][0] == "7.49 mm ≤ 6.35"
+    assert bars(page)["Creep"][0] == "7.49 mm ≤ 6.35"
     page.get_by_label("US", exact=True).check(force=True)
     expect(page.locator(".checks")).to_contain_text("0.295 in ≤ 0.25")
 
@@ -61,7 +61,7 @@ def test_bars_follow_the_slider_without_the_server(visitor: Visitor) -> None:
     page.wait_for_selector(".list li")
     held: list[Route] = []
     page.route("**/api/v1/solve**", lambda route: held.append(route))  # noqa: PLW0108
-    before = bars(page)["Creep at exit"]
+    before = bars(page)["Creep"]
     page.get_by_label("Wrap angle, slider").focus()
     page.keyboard.press("ArrowRight")
     page.wait_for_function(

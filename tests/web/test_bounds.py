@@ -235,7 +235,7 @@ def test_a_thousand_load_cases_are_refused_with_how_many_are_taken(
     answer = local.post(API + path, json={"document": _cases(1000), **name})
     assert answer.status_code == 422
     told = answer.json()["problems"][0]["message"]
-    assert told.startswith(f"1,000 load cases are more than the {documents.MOST_ARCS} ")
+    assert told.startswith(f"1,000 load cases with conditions, at most {documents.MOST_ARCS}")
 
 
 def test_the_work_grows_with_the_load_cases_and_no_faster(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -273,6 +273,8 @@ def test_the_slow_part_of_a_judgement_is_found_once_for_all_tables(
 
         monkeypatch.setattr(sys.modules[module], name, once_more)
 
+    # ways to better it are solved and judged anew
+    monkeypatch.setattr("wraparc.actions.find._find", lambda _: None)
     counted("wraparc.arc.grip", "pull_at_sliding")
     counted("wraparc.arc.grip", "at_limits")
     counted("wraparc.arc.grip", "lift_for_safety")

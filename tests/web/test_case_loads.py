@@ -122,7 +122,7 @@ def test_box_that_is_emptied_to_be_typed_anew_stays(
     page = opened(visitor, tmp_path, HEAD)
     load = look(page, case)
     if case == "design":
-        load.get_by_label("Load given by").select_option(label="T2 and Te")
+        load.get_by_label("Load input").select_option(label="T2 and Te")
     expect(load.get_by_label("Effective tension Te", exact=True)).to_be_visible()
     pull = page.get_by_label("Effective tension Te", exact=True)
     pull.focus()
@@ -145,7 +145,7 @@ def test_a_fixed_take_up_gives_the_tensions_for_a_pull(visitor: Visitor, tmp_pat
     # expected: half of the sum of 150 kN and 60 kN, less half of the pull, by hand
     page = opened(visitor, tmp_path, FIXED)
     load = look(page, "start")
-    expect(load).to_contain_text("the take-up holds the sum of both")
+    expect(load).to_contain_text("the take-up fixes the sum of both")
     entry = load.get_by_label("Entry tension T1", exact=True)
     expect(entry).to_have_attribute("placeholder", "168")
     load.get_by_label("Effective tension Te", exact=True).fill("110")
@@ -162,7 +162,7 @@ def test_other_two_numbers_of_a_load_case_leave_the_others_as_they_are(
     # expected: `wraparc solve` before and after
     page = opened(visitor, tmp_path, HEAD)
     load = look(page, "start")
-    load.get_by_label("Load given by").select_option(label="T1 and Power")
+    load.get_by_label("Load input").select_option(label="T1 and Power")
     expect(load.get_by_label("Power", exact=False).first).to_have_value("378")
     visitor.solved()
     after = downloaded(page, tmp_path)

@@ -35,7 +35,7 @@ def test_dots_stand_where_creep_and_cost_are(visitor: Visitor) -> None:
     assert seen.keys() == rows.keys()
     left, floor = 52.0, 218.0
     across = {(seen[t][0] - left) / rows[t]["cost_total"]["value"] for t in rows}
-    up = {(floor - seen[t][1]) / rows[t]["creep"]["value"] for t in rows}
+    up = {(floor - seen[t][1]) / rows[t]["exit_creep"]["value"] for t in rows}
     assert max(across) == pytest.approx(min(across), rel=1e-9)
     assert max(up) == pytest.approx(min(up), rel=1e-9)
     (limit,) = page.locator("#compare .limit").evaluate_all(
@@ -44,7 +44,7 @@ def test_dots_stand_where_creep_and_cost_are(visitor: Visitor) -> None:
     height = float(re.findall(r"[-\d.]+", limit)[1])
     assert (floor - height) / max(up) == pytest.approx(6.35e-3, rel=1e-6)
     told = page.locator("#compare figure svg").get_attribute("aria-label") or ""
-    assert all(worded(rows[t]["creep"]["text"]) in told for t in rows)
+    assert all(worded(rows[t]["exit_creep"]["text"]) in told for t in rows)
     page.get_by_label("US", exact=True).check(force=True)
     expect(page.locator("#compare figure")).to_contain_text("creep limit 0.25 in")
 

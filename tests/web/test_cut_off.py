@@ -125,7 +125,7 @@ PARTS: dict[str, Callable[[Cut], None]] = {
     "exporting": _menu("export", "Pictures of this page (SVG)"),
     "seek": _press("Which input gives …?"),
     "what_if": _press("What if … wet, worn, bare?"),
-    "choosing": _press("Which design costs least?"),
+    "choosing": _press("Which design has the lowest cost?"),
     "site": _press("On site: what to measure, when to alarm"),
     "measured": _press("A measured drive"),
 }
@@ -208,7 +208,7 @@ def test_the_pauses_double_up_to_five_seconds(cut: Cut) -> None:
         assert failed.count("about") == asked
         page.clock.run_for(1)
     page.fill("#f-pulley-0-exit_tension", "78")  # what is typed asks by itself, and no more
-    page.get_by_role("button", name="Ask now").click()
+    page.get_by_role("button", name="Calculate").click()
     wait_for(lambda: page.evaluate("1") and failed.count("about") == asked + 2)
     cut.mend()
     page.clock.resume()

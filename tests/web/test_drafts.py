@@ -114,11 +114,11 @@ def test_opening_another_keeps_the_draft_until_it_is_forgotten(
     kept.click()
     expect(page.locator(T2)).to_have_value("72.5")
     page.click("#file > summary")
-    page.get_by_role("button", name="Forget all drafts").click()
+    page.get_by_role("button", name="Delete all drafts").click()
     turn(page, "compare")
     turn(page, "drive")
     page.click("#file > summary")
-    expect(page.get_by_role("button", name="Forget all drafts")).to_have_count(0)
+    expect(page.get_by_role("button", name="Delete all drafts")).to_have_count(0)
     expect(page.locator(T2)).to_have_value("72.5")
     assert page.evaluate("localStorage.getItem('wraparc.drafts')") == "[]"
 

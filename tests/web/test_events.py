@@ -101,9 +101,9 @@ def test_without_events_the_usual_ones_are_there_and_it_is_said(api: TestClient)
         ("drum", None, "motion.drum: missing"),
         ("", None, "motion.drum.first.inertia: missing. Write [motion.drum.first]"),
         ("drum.first.control", {"kind": "speed-loop"}, "motion.drum.first.control.bandwidth: mis"),
-        ("conveyor_mass", None, "motion.conveyor_mass: missing: a start or stop needs the mass"),
+        ("conveyor_mass", None, "motion.conveyor_mass: missing: starts and stops need it"),
         ("take_up", "fixd", 'Did you mean "fixed"?'),
-        ("event.0.happens.0.file", "/etc/passwd", 'happens[1].file = "/etc/passwd": unknown key'),
+        ("event.0.happens.0.file", "/etc/passwd", "happens[1].file: unknown key"),
     ],
 )
 def test_what_is_wrong_is_told_at_its_field(
@@ -124,7 +124,9 @@ def test_contradictory_boundaries_are_told(api: TestClient) -> None:
     del wrong["motion"]["conveyor_mass"]
     wrong["motion"]["take_up"] = "winch"
     answer = asked(api, document=wrong, event="splice")
-    assert "a conveyor that has no mass. Give conveyor_mass" in answer["detail"]
+    assert (
+        'motion.take_up: needs conveyor_mass, got "winch". Give conveyor_mass' in answer["detail"]
+    )
 
 
 def test_a_coarse_step_is_refused_with_the_one_needed(api: TestClient) -> None:

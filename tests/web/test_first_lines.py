@@ -269,7 +269,7 @@ def test_two_numbers_on_the_strands_give_the_verdict(long_visit: Visitor) -> Non
     expect(page.locator(".h:visible")).to_have_count(3)
     # cleared, it is a value that lacks, beside the last answer
     page.fill("#f-pulley-0-exit_tension", "")
-    expect(page.locator("#verdict p")).to_have_text("Still needed: Exit tension.")
+    expect(page.locator("#verdict p")).to_have_text("Missing: Exit tension.")
     expect(page.locator(".typed")).to_have_count(0)
     expect(page.locator("#results")).to_have_attribute("data-stands", "refused")
 
@@ -300,14 +300,14 @@ def test_a_new_drive_leads_to_the_conveyor_and_to_examples(long_visit: Visitor) 
     page = new(long_visit)
     page.get_by_role("button", name="Compute T1, T2 from the conveyor").click()
     expect(page.locator("#f-conveyor-length")).to_be_focused()
-    expect(page.locator("#verdict p")).to_contain_text("Still needed: Length")
+    expect(page.locator("#verdict p")).to_contain_text("Missing: Length")
     expect(page.locator(".typed")).to_have_count(0)
     page.click("#undo")
     expect(page.locator(".typed")).to_be_visible()
     page.locator(".from").get_by_role(
-        "button", name="Uphill conveyor, pull from its resistances"
+        "button", name="Uphill conveyor, tensions from its resistances"
     ).click()
-    expect(page.locator("#title")).to_have_text("Uphill conveyor, pull from its resistances")
+    expect(page.locator("#title")).to_have_text("Uphill conveyor, tensions from its resistances")
     long_visit.solved()
     expect(page.locator(".from")).to_have_count(0)
 
@@ -362,7 +362,7 @@ def test_a_server_that_is_gone_takes_the_place_of_the_verdict(calculator: Calcul
     wait_for(lambda: page.evaluate("1") and held)
     gone(page)
     said = page.locator("#verdict")
-    expect(said).to_contain_text("The server does not answer. These are the last results.")
+    expect(said).to_contain_text("The server does not answer. Previous results.")
     expect(said).to_have_class(re.compile(r"^say\s*$"))
     expect(page.locator("#results")).to_have_attribute("data-stands", "gone")
     # the colours of the last results are gone

@@ -230,7 +230,10 @@ def test_nonsense_in_every_box_is_told_there_and_never_good(visitor: Visitor) ->
 
 
 SLIDERS = ["Entry tension", "Exit tension", "Wrap angle", "Diameter", "Belt width"]
-HANDLES = {"Tight side T1": (-150, 0), "Slack side T2": (-110, 0), "Wrap angle": (-90, -50)}
+HANDLES = {
+    "Tight-side tension T1": (-150, 0), "Slack-side tension T2": (-110, 0),
+    "Wrap angle": (-90, -50),
+}  # fmt: skip
 
 
 @pytest.mark.parametrize("name", HANDLES)
@@ -293,7 +296,7 @@ def test_one_drag_is_one_step_back_and_keeps_the_pull(visitor: Visitor) -> None:
     page = visitor.open("drive", unfold=False)
     page.set_viewport_size(SCREEN)
     visitor.alone()
-    x, y = middle(page, handle("Slack side T2"))
+    x, y = middle(page, handle("Slack-side tension T2"))
     drag(page, x, y, (x - 60, y), 12)
     # longer than what else makes one step
     page.evaluate("const now = performance.now(); performance.now = () => now + 1e5")
@@ -316,7 +319,7 @@ def test_one_drag_is_one_step_back_and_keeps_the_pull(visitor: Visitor) -> None:
 def test_handles_are_sliders_for_keys_and_boxes_go_beyond_theirs(visitor: Visitor) -> None:
     page = visitor.open("drive", unfold=False)
     visitor.alone()
-    knob = page.locator(handle("Tight side T1"))
+    knob = page.locator(handle("Tight-side tension T1"))
     knob.focus()
     expect(knob).to_have_attribute("role", "slider")
     for key, told in (
@@ -326,7 +329,8 @@ def test_handles_are_sliders_for_keys_and_boxes_go_beyond_theirs(visitor: Visito
     ):
         page.keyboard.press(key)
         expect(knob).to_have_attribute("aria-valuetext", told)
-    assert page.evaluate("document.activeElement.getAttribute('aria-label')") == "Tight side T1"
+    focused = page.evaluate("document.activeElement.getAttribute('aria-label')")
+    assert focused == "Tight-side tension T1"
     # a box goes a step of its slider
     page.focus("#f-pulley-0-diameter")
     page.keyboard.press("ArrowUp")

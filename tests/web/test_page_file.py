@@ -395,7 +395,7 @@ def test_a_belt_that_would_push_is_told_as_by_solve(page_of: Any, tmp_path: Path
         page.get_by_role("button", name="Open a drive file").click()
     asked.value.set_files(file)
     expect(page.locator("#results")).to_contain_text(told)
-    expect(page.locator("#results")).not_to_contain_text("not found in this page")
+    expect(page.locator("#results")).not_to_contain_text("not calculated in this page")
 
 
 def test_a_drive_typed_from_nothing_is_solved(page_of: Any, tmp_path: Path) -> None:
@@ -530,14 +530,14 @@ def test_interval_of_a_fitted_law_is_left_to_the_program_and_told(
     assert "ATTENTION" in page.locator(".governing .headline").first.inner_text()
     said = page.locator(".governing").inner_text()
     assert "Creep, 95 % bound, is not computed in this page" in said
-    said = "The interval of the creep that the fit of ours leaves is not found in this page"
+    said = "The interval of the creep that the fit of ours leaves is not calculated in this page"
     assert said in page.locator("#results").inner_text()
 
 
 @pytest.mark.parametrize(
     ("change", "says"),
     [
-        (('exit_tension = "60 kN"', 'exit_tension = "150 kN"'), "pulley head has no pull to carry"),
+        (('exit_tension = "60 kN"', 'exit_tension = "150 kN"'), "pulley head transmits no Te"),
         (('diameter = "800 mm"', 'diameter = "80 mm"'), ""),  # it is asked about, as by solve
         (("3 m/s", "3 m/s"), ""),
     ],

@@ -86,13 +86,13 @@ def answer_of(text: str) -> dict[str, Any]:
 
 
 def tables_of(page: Page) -> dict[str, list[list[str]]]:
-    """Tables of the page by title: the cells of every row."""
+    """Tables of the page by title: the cells of every row, levels without their sign."""
     found: dict[str, list[list[str]]] = page.evaluate(
         """() => Object.fromEntries([...document.querySelectorAll("#train .tables details")].map(
           (d) => [
             d.querySelector("summary").textContent.trim(),
             [...d.querySelectorAll("tbody tr")].map((r) =>
-              [...r.cells].map((c) => c.textContent.trim())),
+              [...r.cells].map((c) => c.textContent.trim().replace(/^[✓▲✕] /, ""))),
           ]))"""
     )
     return found
@@ -259,7 +259,8 @@ SHOWN = """
     sentences: [...document.querySelectorAll("#train .verdict li")].map((x) => x.textContent),
     tables: Object.fromEntries([...tables].map((d) => [
       d.querySelector("summary").textContent.trim(),
-      [...d.querySelectorAll("tbody tr")].map((r) => [...r.cells].map((c) => c.textContent.trim())),
+      [...d.querySelectorAll("tbody tr")].map((r) =>
+        [...r.cells].map((c) => c.textContent.trim().replace(/^[✓▲✕] /, ""))),
     ])),
   } : null;
 """

@@ -60,7 +60,7 @@ def test_drive_page_shows_the_answer_of_the_command_line(visitor: Visitor, tmp_p
     assert key_figure(visitor, "Margin to the creep limit") == f"{capacity:.2f}"
     angle = first["peak_shear_angle"] * 57.29577951308232
     assert key_figure(visitor, "Peak shear angle") == f"{angle:.2f} deg"
-    # the paper's march stands beside it, in a table that is laid out when it is scrolled to
+    # the paper's integration stands beside it, in a table that is laid out when it is scrolled to
     paper = next(a for a in told["arcs"] if a["method"] == "paper")
     cells = page.locator(".t-answer tbody tr").first.locator("td.num").all_text_contents()
     assert cells == [f"{1e3 * a['exit_creep']:#.3g} mm" for a in (first, paper)]
@@ -234,7 +234,7 @@ def test_a_design_goes_into_the_bin_and_comes_back(visitor: Visitor) -> None:
     row = page.get_by_role("rowheader", name="renamed")
     row.wait_for(state="detached")
     page.get_by_label("Bin", exact=True).check()
-    page.get_by_role("button", name="Put back renamed").click()
+    page.get_by_role("button", name="Restore renamed").click()
     row.wait_for(state="detached")
     page.get_by_label("Bin", exact=True).uncheck()
     row.wait_for()
@@ -248,14 +248,14 @@ def test_a_design_goes_into_the_bin_and_comes_back(visitor: Visitor) -> None:
 def test_compare_sorts_pins_and_puts_a_lagging_in(visitor: Visitor) -> None:
     page = visitor.open("compare")
     rows = page.locator("#compare tbody tr")
-    page.click("#sort-creep")
+    page.click("#sort-exit_creep")
     names = rows.locator("th").all_inner_texts()
     assert names[0].startswith("Full ceramic")
     assert names[-1].startswith("Diamond rubber")
     page.get_by_role("button", name="Pin Diamond rubber (illustrative)").click()
     assert rows.locator("th").all_inner_texts()[0].startswith("Diamond rubber")
-    page.click("#sort-creep")
-    assert page.get_attribute("th:has(#sort-creep)", "aria-sort") == "descending"
+    page.click("#sort-exit_creep")
+    assert page.get_attribute("th:has(#sort-exit_creep)", "aria-sort") == "descending"
     page.get_by_role("button", name="Use Full ceramic").click()
     expect(rows.filter(has_text="(present)")).to_contain_text("Full ceramic")
     page.get_by_text("Belts", exact=True).click()
@@ -300,14 +300,14 @@ def test_tests_are_read_fitted_and_used_at_once(visitor: Visitor, tmp_path: Path
     assert "an area is needed" in page.inner_text("#t-rig-sample_area-e")
     page.fill("#t-rig-sample_area", "0.04 m2")
     page.get_by_role("button", name="Fit the lagging").click()
-    page.get_by_role("button", name="Use it in the drive at once").wait_for()
+    page.get_by_role("button", name="Apply to drive").wait_for()
     assert page.locator("#tests svg.chart").count() >= 3
     with page.expect_download() as arriving:
         page.get_by_role("button", name="Download the lagging file").click()
     file = tmp_path / "lagging.toml"
     arriving.value.save_as(file)
     assert wraparc("lagging", str(file))[0] == 0
-    page.get_by_role("button", name="Use it in the drive at once").click()
+    page.get_by_role("button", name="Apply to drive").click()
     expect(page.locator("#f-pulley-0-lagging")).to_have_value("from-the-rig")
     visitor.solved()
     assert re.fullmatch(r"[\d.]+ mm", key_figure(visitor, "Creep at exit"))
@@ -504,7 +504,7 @@ def test_checks_follow_the_slider_without_the_server(visitor: Visitor, tmp_path:
         shown = page.locator(".governing li").first.inner_text()
         assert shown == least["sentence"]
         tension = least["tension"]
-        found = key_figure(visitor, "Least slack-side tension")
+        found = key_figure(visitor, "Minimum T2")
         assert found == (
             "none"
             if tension is None
@@ -607,7 +607,7 @@ def test_trim_limits_are_those_of_the_command(visitor: Visitor) -> None:
     visitor.example("Tandem head drive, fabric belt")
     visitor.open("train")
     expect(page.locator("#train .strip output")).to_have_text(
-        "99.654 % (± 0.077 % keeps the share within 5 %)"
+        "99.654 % (± 0.077 % for a share within 5 %)"
     )
     page.get_by_role("button", name="Find the trim limits").click()
     keeps = page.locator("#train .strip .keeps")

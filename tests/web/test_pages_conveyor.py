@@ -51,7 +51,7 @@ def test_tensions_from_the_conveyor_and_back(calculator: Calculator) -> None:
 
     # in again, typed anew: what is missing is asked for at its field, Undo brings tensions back
     page.get_by_role("button", name="Tensions from the conveyor").click()
-    expect(page.locator("#f-conveyor-belt_mass-e")).to_contain_text("Still needed.")
+    expect(page.locator("#f-conveyor-belt_mass-e")).to_contain_text("Missing.")
     # what is only missing is not called wrong, and a length is asked for in metres
     expect(page.locator(".rail .wrong")).to_have_count(0)
     expect(page.locator("#f-conveyor-length-u")).to_have_text("m")

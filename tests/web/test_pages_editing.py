@@ -194,7 +194,7 @@ def test_new_drive_says_what_is_needed_and_calls_nothing_wrong(visitor: Visitor)
     expect(told).to_contain_text("Type T1 and T2: the rest has usual values.")
     assert "FAILS" not in told.inner_text()
     expect(page.locator("#f-pulley-0-exit_tension")).to_have_attribute("aria-invalid", "false")
-    expect(page.locator("#f-pulley-0-exit_tension-e")).to_have_text("Still needed.")
+    expect(page.locator("#f-pulley-0-exit_tension-e")).to_have_text("Missing.")
     # a value that cannot be read is told as such, though others are still needed
     page.fill("#f-pulley-0-entry_tension", "much")
     expect(page.locator("#f-pulley-0-entry_tension-e")).to_contain_text('"much"')
@@ -280,7 +280,7 @@ def test_load_given_by_other_numbers_is_the_same_load(visitor: Visitor) -> None:
         pulley = kept(page)["pulley"][0]
         return {key: pulley[key] for key in LOAD if key in pulley}
 
-    pair = page.get_by_label("Load given by")
+    pair = page.get_by_label("Load input")
     expect(pair.locator("option")).to_have_count(7)
     # each number beside one of the ends, each end twice
     for index, expected in (
@@ -392,7 +392,7 @@ def test_skip_link_leads_into_the_page_that_is_open(visitor: Visitor) -> None:
 QUESTIONS = {
     "What if … wet, worn, bare?": ".what-if",
     "On site: what to measure, when to alarm": ".site",
-    "Which design costs least?": ".choosing",
+    "Which design has the lowest cost?": ".choosing",
     "Which input gives …?": ".seek",
 }
 
@@ -408,7 +408,7 @@ def test_questions_are_asked_again_once_the_server_is_back(calculator: Calculato
         page.get_by_role("button", name=name).click()
         panel.wait_for()
         page.route("**/api/v1/**", lambda route: route.abort())
-        press = "Find" if "seek" in of else "Show"
+        press = "Find" if "seek" in of else "Calculate"
         panel.get_by_role("button", name=press, exact=True).click()
         expect(panel).to_contain_text("does not answer")
         expect(panel).not_to_contain_text("Solving …")
@@ -456,12 +456,12 @@ def test_what_a_drive_is_held_against_is_typed_cleared_renamed_and_undone(
     # half of a table asks for the rest; nothing of it leaves no table
     page.fill("#f-sag-idler_spacing", "3")
     page.press("#f-sag-idler_spacing", "Tab")
-    expect(page.locator("#verdict")).to_contain_text("Still needed: Mass per length.")
+    expect(page.locator("#verdict")).to_contain_text("Missing: Mass per length.")
     page.fill("#f-sag-idler_spacing", "")
     page.press("#f-sag-idler_spacing", "Tab")
     expect(page.locator("#verdict")).not_to_contain_text("needed")
     page.select_option("#f-take_up-after", "")
-    expect(page.locator("#results")).to_contain_text("Least slack-side tension")
+    expect(page.locator("#results")).to_contain_text("Minimum T2")
     assert "sag" not in kept(page)
     page.keyboard.press("Control+z")
     expect(page.locator("#results")).to_contain_text("at the take-up behind pulley head")
@@ -503,7 +503,7 @@ def test_a_pinned_design_stands_beside_the_present_one(visitor: Visitor) -> None
     assert creep.all_inner_texts()[:2] == [before, key_figure(visitor, "Creep at exit")]
     # tension, friction, creep and shear of the pinned one
     expect(ghosts).to_have_count(4)
-    page.get_by_label("Paper's march beside it").check()
+    page.get_by_label("Compare with the paper's integration").check()
     expect(marches).to_have_count(4)
     page.get_by_role("button", name="Take the pin out").click()
     expect(page.locator(".pinned-table")).to_have_count(0)

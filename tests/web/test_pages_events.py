@@ -124,7 +124,7 @@ def test_what_is_missing_is_told_at_its_field_and_can_be_filled_in(visitor: Visi
     assert "no events: the usual ones" in page.inner_text("#events")
     page.click("#follow")
     field = "#e-motion-drum-head-inertia"
-    expect(page.locator(f"{field}-e")).to_contain_text("Still needed.")
+    expect(page.locator(f"{field}-e")).to_contain_text("Missing.")
     page.fill(field, "2200")
     # at once, and not when the button below is pressed, which would move from under the press
     assert page.locator(f"{field}-e").inner_text() == ""
@@ -133,7 +133,7 @@ def test_what_is_missing_is_told_at_its_field_and_can_be_filled_in(visitor: Visi
     page.select_option("#e-motion-drum-head-control-kind", "speed-loop")
     page.click("#follow")
     reset = page.locator("#e-motion-drum-head-control-reset-e")
-    expect(reset).to_contain_text("Still needed.")
+    expect(reset).to_contain_text("Missing.")
     expect(page.locator(f"{field}-e")).to_be_empty()
     # an answer of the drive that comes after it takes nothing of it away
     wait_for(lambda: page.evaluate("1") and held)
@@ -142,7 +142,7 @@ def test_what_is_missing_is_told_at_its_field_and_can_be_filled_in(visitor: Visi
         for route in held:
             route.continue_()
     visitor.painted()
-    assert reset.inner_text() == "Still needed."
+    assert reset.inner_text() == "Missing."
     page.fill(field, "2300")  # two changes of one field within a second undo as one
     page.select_option("#e-motion-drum-head-control-kind", "")
     page.click("#follow")
@@ -152,7 +152,7 @@ def test_what_is_missing_is_told_at_its_field_and_can_be_filled_in(visitor: Visi
     expect(page.locator("#e-motion-drum-head-control-kind")).to_have_value("speed-loop")
     page.fill(field, "")
     page.click("#follow")
-    expect(page.locator(f"{field}-e")).to_contain_text("Still needed.")
+    expect(page.locator(f"{field}-e")).to_contain_text("Missing.")
 
 
 def test_a_run_is_cancelled_and_another_one_goes_slack(

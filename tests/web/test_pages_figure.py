@@ -24,7 +24,7 @@ from wraparc.shear_test.plan_file import load_plan
 
 PRESSURES = np.array([34.0, 138.0, 690.0])  # kPa
 ENDS = np.array([12.0, 1.4])  # slip [mm] and friction at the ends of the axes
-USE = "Use it in the drive at once"
+USE = "Apply to drive"
 SOURCE = "A. Author, A paper, 2020"
 
 

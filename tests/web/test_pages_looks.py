@@ -79,7 +79,7 @@ def used(visitor: Visitor, name: str) -> Page:
         page.get_by_role("button", name="Try it with made-up tests").click()
         page.wait_for_selector("#tests tbody tr")
         page.get_by_role("button", name="Fit the lagging").click()
-        page.get_by_role("button", name="Use it in the drive at once").wait_for()
+        page.get_by_role("button", name="Apply to drive").wait_for()
     elif name == "across":
         page.wait_for_selector("#across .t-shares")
     elif name == "train":
@@ -268,7 +268,7 @@ def test_keyboard_alone_reaches_and_works_everything(calculator: Calculator) -> 
         "f-belt-width",
     ):
         assert wanted in seen, wanted
-    assert {"Tight side T1", "Slack side T2", "Wrap angle"} < set(seen)
+    assert {"Tight-side tension T1", "Slack-side tension T2", "Wrap angle"} < set(seen)
     page.locator("#file > summary").focus()
     page.keyboard.press("Enter")
     expect(page.get_by_role("button", name="Download the drive file")).to_be_visible()
@@ -278,9 +278,9 @@ def test_keyboard_alone_reaches_and_works_everything(calculator: Calculator) -> 
     page.locator("#tab-choose").focus()
     page.keyboard.press("Enter")
     page.wait_for_selector(READY["compare"])
-    page.locator("#sort-margin").focus()
+    page.locator("#sort-creep_limit_margin").focus()
     page.keyboard.press("Enter")
-    assert page.evaluate("document.activeElement.id") == "sort-margin"
+    assert page.evaluate("document.activeElement.id") == "sort-creep_limit_margin"
     visitor.close()
 
 

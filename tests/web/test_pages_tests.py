@@ -13,7 +13,7 @@ EXAMPLE = examples_folder() / "shear_tests"
 FILES = [EXAMPLE / f"dry-{name}" for name in (
     "0034kPa-1.csv", "0069kPa-2.csv", "0207kPa-1.csv", "0276kPa-1.TRA",
 )]  # fmt: skip
-FIT, USE = "Fit the lagging", "Use it in the drive at once"
+FIT, USE = "Fit the lagging", "Apply to drive"
 
 
 @pytest.fixture

@@ -170,18 +170,18 @@ def test_a_choice_is_made_and_alarm_levels_stand_on_the_page(visitor: Visitor) -
     # pulley costs is in no price
     page = visitor.open("drive")
     visitor.solved()
-    page.get_by_role("button", name="Which design costs least").click()
+    page.get_by_role("button", name="Which design has the lowest cost").click()
     card = page.locator(".choosing")
     card.get_by_label("Medium ceramic").uncheck()
     card.get_by_label("Wrap angles").fill("180; 210 deg")
-    card.get_by_role("button", name="Show").click()
+    card.get_by_role("button", name="Calculate").click()
     rows = card.locator("table").first.locator("tbody th")
     expect(rows).to_have_text(["full-ceramic, wrap 180 deg", "full-ceramic, wrap 210 deg"])
     expect(card.locator(".headline")).to_contain_text(
         "Lowest cost: full-ceramic, wrap 180 deg with "
     )
     card.get_by_label("Wrap angles").fill("flat")
-    card.get_by_role("button", name="Show").click()
+    card.get_by_role("button", name="Calculate").click()
     expect(card).to_contain_text('candidates.wrap_angles[1] = "flat"')
     # expected: the headline and the levels that `wraparc field` prints
     page.get_by_role("button", name="On site").click()
@@ -193,15 +193,15 @@ def test_a_choice_is_made_and_alarm_levels_stand_on_the_page(visitor: Visitor) -
     card.get_by_label("Hours a year, design").fill("4000")
     card.get_by_label("Measured wear").fill("1 mm")
     card.get_by_label("Hours that it took, design").fill("12000")
-    card.get_by_role("button", name="Show").click()
+    card.get_by_role("button", name="Calculate").click()
     expect(card).to_contain_text("calibrated to the wear measured")
     # nonsense is told in its sentence, with what was typed
     card.get_by_label("Hours a year, design").fill("often")
-    card.get_by_role("button", name="Show").click()
+    card.get_by_role("button", name="Calculate").click()
     expect(card.locator(".verdict.bad")).to_contain_text('"often"')
     card.get_by_label("Hours a year, design").fill("4000")
     card.get_by_label("Depth to wear off").fill("deep")
-    card.get_by_role("button", name="Show").click()
+    card.get_by_role("button", name="Calculate").click()
     expect(card.locator(".verdict.bad")).to_contain_text("depth")
 
 
@@ -233,7 +233,7 @@ def test_wet_worn_and_bare_stand_side_by_side_on_the_page(visitor: Visitor) -> N
     # of another drive it is marked as of before, and asked again by its button
     page.select_option("#f-pulley-0-lagging", "full-ceramic")
     expect(card.locator("[data-stands=stale]")).to_be_visible()
-    card.get_by_role("button", name="Show").click()
+    card.get_by_role("button", name="Calculate").click()
     expect(card.locator("[data-stands=stale]")).to_have_count(0)
     expect(card).to_contain_text("now 4.36 mm")
 
@@ -306,7 +306,7 @@ def test_a_record_calibrates_the_drive_on_the_page(visitor: Visitor) -> None:
     page.get_by_role("button", name="A measured drive").click()
     card = page.locator(".measured")
     card.locator("input[type=file]").set_input_files(str(WET / "wet-day.csv"))
-    card.get_by_role("button", name="Show").click()
+    card.get_by_role("button", name="Calculate").click()
     expect(card.locator("table").first).to_contain_text("0.782")
     expect(page.locator("img.overlay")).to_be_visible()
     assert violations(page) == []

@@ -118,13 +118,13 @@ def _questions(page: Page) -> None:
     page.locator("[data-stands] button:has-text('Use ')").first.wait_for()
     for name, section in (
         ("On site: what to measure, when to alarm", "site"),
-        ("Which design costs least?", "choosing"),
+        ("Which design has the lowest cost?", "choosing"),
         ("What if … wet, worn, bare?", "what-if"),
     ):
         page.get_by_role("button", name=name).click()
         page.locator(f".{section} h2").wait_for()
         if section == "choosing":
-            page.locator(".choosing").get_by_role("button", name="Show").click()
+            page.locator(".choosing").get_by_role("button", name="Calculate").click()
         page.locator(f".{section} [data-stands] table").first.wait_for()
 
 
@@ -157,7 +157,7 @@ def _follow(page: Page) -> None:
     page.select_option("#e-points", "30")
     page.click("#follow")
     page.locator("#events [data-stands] table").first.wait_for(timeout=STUDY)
-    page.get_by_role("button", name="Draw how run-out becomes pull").click()
+    page.get_by_role("button", name="Plot Te against run-out").click()
     page.locator("#events figure [data-stands] img").wait_for(timeout=STUDY)
 
 
@@ -244,7 +244,7 @@ def test_no_page_gives_a_verdict_of_another_drive_or_one_that_has_not_come(guest
         assert judged(page, name) == [], name
         if name == "train":
             expect(page.locator("#train .say [role=alert] .reasons")).to_be_visible()
-            expect(page.locator("#train")).to_contain_text("Below is the answer before the change")
+            expect(page.locator("#train")).to_contain_text("Inputs changed")
     turn(page, "drive")
     page.fill("#f-belt-width", "1400")
     for name in ANSWERING:
@@ -370,7 +370,7 @@ def test_what_takes_long_says_so_and_can_be_ended(guest: Visitor) -> None:
         page.clock.run_for(1000)
 
         def told(seconds: int = seconds) -> bool:
-            found = re.search(r"At work for (\d+) s", toast.inner_text())
+            found = re.search(r"Calculating for (\d+) s", toast.inner_text())
             if found and int(found[1]) >= seconds:
                 return True
             page.clock.run_for(1000)

@@ -58,7 +58,7 @@ def pinned_and_without_a_server(visitor: Visitor) -> Page:
     page = visitor.open("drive")
     visitor.solved()
     page.get_by_role("button", name="Pin this design").click()
-    page.get_by_label("Paper's march beside it").check()
+    page.get_by_label("Compare with the paper's integration").check()
     page.locator("#verdict .advice").click()
     page.locator("#toast").get_by_role("button", name="Undo").wait_for()
     page.get_by_role("button", name="Help: Wrap angle").click()
@@ -96,7 +96,7 @@ def test_no_violation_of_wcag(guest: Visitor, state: str) -> None:
 #: Questions, by the button that asks each of them, and where its answer stands.
 QUESTIONS = {
     "What if": ("", ".what-if table"),
-    "Which design costs least": ("Show", ".choosing table"),
+    "Which design has the lowest cost": ("Calculate", ".choosing table"),
     "On site": ("", ".site table"),
     "Which input gives": ("Find", ".seek svg.chart"),
 }

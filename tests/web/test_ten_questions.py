@@ -91,7 +91,7 @@ def wrap_take_up_or_ceramic(hand: Hand) -> None:
     hand.press("What if")
     card = hand.page.locator(".what-if")
     hand.choose(card.locator("label", has_text="Lagging").locator("select").first, "full-ceramic")
-    hand.click(card.get_by_role("button", name="Show"))
+    hand.click(card.get_by_role("button", name="Calculate"))
     expect(card.locator("thead")).to_contain_text("full-ceramic")
     assert_told(cells(card.locator("table").first), printed(
         "what-if", HEAD, "--load-case", "design", "--lagging", "full-ceramic",
@@ -198,7 +198,7 @@ QUESTIONS: dict[str, Callable[[Hand], None]] = {
     "Rubber or ceramic over the life?": rubber_or_ceramic,
     "Does ceramic wear the belt?": ceramic_and_the_belt,
     "Which speed trim does a tandem need?": speed_trim,
-    "Why do two drives fight?": drives_that_fight,
+    "Why do two drives oppose each other?": drives_that_fight,
     "What do worn edges do?": worn_edges,
 }
 

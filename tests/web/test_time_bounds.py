@@ -76,6 +76,7 @@ _MEASURED = {"parameters": ["friction"], "files": [{"name": "a.csv", "data": "eA
 QUESTIONS: list[tuple[str, dict[str, Any], float]] = [
     ("/solve/fast", {}, SHORT),
     ("/solve", {}, SHORT),
+    ("/solve/action", {}, SHORT),
     ("/check", {}, SHORT),
     ("/toml/write", {}, SHORT),
     ("/compare", {}, SHORT),

@@ -15,7 +15,6 @@ from wraparc.machine_tables import (
     NamedColumn,
     find_column,
     find_tables,
-    listed,
     plain_name,
     read_bytes,
 )
@@ -32,7 +31,7 @@ _WORDS = {
     "diameter": ("diameter", "durchmesser", "dia", "od"),
     "radius": ("radius", "halbmesser"),
 }
-_EXPORT = "Give two columns: position across the face, and what was measured there."
+_EXPORT = "Give two columns: position and what was measured there."
 #: Fewest readings that are smoothed, and the highest polynomial.
 _FEWEST, _HIGHEST = 5, 8
 #: Rows of a smoothed profile.
@@ -135,7 +134,7 @@ def profile_of(
     order = np.argsort(y, kind="stable")
     y, value = y[order], value[order]
     if len(y) < 2 or np.any(np.diff(y) <= 0.0):
-        message = "needs two positions or more, each measured once"
+        message = "fewer than two positions, or one measured twice"
         raise input_error(file=file, message=message, remedy=_EXPORT)
     if centred is False or (centred is None and float(np.min(y)) >= 0.0):
         y = y - 0.5 * (y[0] + y[-1])
@@ -160,9 +159,8 @@ def _columns(
     if where is None or what is None or not found:
         raise input_error(
             file=file,
-            message="no columns of position and of depth, thickness, diameter or radius; "
-            f"there is {listed(named)}",
-            remedy="Name the columns so, with their units, or say which they are.",
+            message="no column of position, or none of depth, thickness, diameter or radius",
+            remedy="Name the columns so, with units.",
         )
     return where, what, found[0]
 
@@ -174,7 +172,7 @@ def _factor(column: NamedColumn, unit: str, file: str) -> float:
     raise input_error(
         file=file,
         message=f"column {shown(column.label)} has no unit",
-        remedy='Write it behind the name, "thickness [mm]", or give the unit, "in".',
+        remedy='Write it behind the name, "thickness [mm]", or give the unit.',
     )
 
 
@@ -188,7 +186,7 @@ def _deviation(value: Array, reading: Reading, new: float | None) -> Array:
             raise input_error(
                 key="new",
                 value=f"{1e3 * whole:g} mm",
-                message=f"thinner than a reading, {1e3 * float(np.max(value)):g} mm",
+                message=f"must be at least the reading {1e3 * float(np.max(value)):g} mm",
                 remedy="Give the thickness of the new lagging.",
             )
         return whole - value

@@ -19,13 +19,13 @@ from wraparc.views import Viewable
 class AcrossStatus(StrEnum):
     """How a solve across the width ended: the value is the sentence the user reads."""
 
-    SOLVED = "Every strip of the belt carries tension."
+    SOLVED = "Every strip of the belt is under tension."
     SLACK = (
         "A strip of the belt goes slack: it would have to push. Take out the build-up, "
         "misalignment or profile that slackens it, or raise the tension."
     )
     BREAKAWAY = (
-        "Breakaway: uneven as it is, the belt finds too little friction for this tension ratio. "
+        "Gross slip: with this unevenness friction is too low for the tension ratio. "
         "Raise the slack-side tension (take-up), or even out the pulley."
     )
     UNSOLVED = (

@@ -124,7 +124,7 @@ def slack_words(result: AcrossResult) -> str:
     lacking = quantity(-slack.tension, "force_per_width")
     text = f"The strip at {place} from the middle of the belt goes slack: it lacks {lacking}"
     if slack.share < 1.0:
-        return f"{text}, and is slack from {100.0 * slack.share:.0f} % of the given unevenness on."
+        return f"{text}, and is slack from {100.0 * slack.share:.0f} % of the input unevenness on."
     return f"{text}."
 
 

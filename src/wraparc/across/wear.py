@@ -140,7 +140,7 @@ def march_wear(
         middle = solver.solve(half, start=at) if half is not None else None
         new = _thinner(at, 1.0 / steps, to, middle) if middle is not None else None
         if new is None or float(np.min(new.thickness)) < least_thickness:
-            ended = "The thinnest strip is down to the least thickness."
+            ended = "The thinnest strip is down to the minimum thickness."
             break
         if middle is None or not middle.status.solved:
             ended = "" if middle is None else str(middle.status)
@@ -176,7 +176,7 @@ def _rates(
     """Return the wear coefficient by strip, 1 where only its shape matters."""
     problems = []
     if (depth is None) == (passes is None):
-        message = "wear goes to a mean depth or over a number of passes"
+        message = "wear needs a mean depth or a number of passes"
         problems.append(Problem(key="depth", message=message, remedy="Give one of the two."))
     if depth is not None and not 0.0 < depth < math.inf:
         value = display(depth, "length")
@@ -184,7 +184,7 @@ def _rates(
     if passes is not None and not 0.0 < passes < math.inf:
         problems.append(Problem(key="passes", value=f"{passes:g}", message="must be more than 0"))
     if passes is not None and k is None:
-        message = "wear over a number of passes needs a wear coefficient, and the lagging has none"
+        message = "the lagging has no wear coefficient"
         remedy = "Give the coefficient, or wear to a mean depth."
         problems.append(Problem(key="passes", message=message, remedy=remedy))
     if problems:
@@ -256,15 +256,15 @@ def measured_coefficient(result: AcrossResult, depth: float, hours: float) -> fl
     arc = result.wide.arc
     problems = []
     if not 0.0 < depth < math.inf:
-        message = "nothing is worn off yet, so that hours do not tell how fast it wears"
+        message = "nothing is worn off yet"
         remedy = "Give the worn depth, or leave the hours out."
         problems.append(Problem(key="hours", message=message, remedy=remedy))
     if not 0.0 < hours < math.inf:
-        message = "must be more than 0 to tell how fast it wears"
+        message = "must be more than 0"
         problems.append(Problem(key="hours", value=f"{hours:g} h", message=message))
     if not arc.belt_speed:
-        message = "the speed of the belt is not given, so that hours are no passes"
-        problems.append(Problem(key="belt.speed", message=message, remedy="Give the belt speed."))
+        remedy = "Give the belt speed."
+        problems.append(Problem(key="belt.speed", message="missing", remedy=remedy))
     if problems or not arc.belt_speed:
         raise InputError(problems)
     passes = hours * turns_an_hour(arc.belt_speed, result.wide.pitch)

@@ -92,16 +92,15 @@ class WideArc:
             raise input_error(
                 key="worn_depth",
                 value=display(self.arc.thickness - float(self.thickness[worst]), "length"),
-                message="deeper than the lagging is thick, "
+                message="must be less than the lagging thickness "
                 + display(self.arc.thickness, "length"),
-                remedy="Give the depth worn off, not what is left.",
+                remedy="Give the depth worn off.",
             )
         if jumps(self.arc.law.compact()) and not np.all(self.shear > 0.0):
             raise input_error(
                 key="lagging",
-                message="a friction law that starts with a jump, on a lagging that does not "
-                "shear, leaves the creep of a resting strip without a value",
-                remedy="Give the lagging a thickness and a shear modulus.",
+                message="creep is undetermined: the law starts with a jump on a rigid lagging",
+                remedy="Give thickness and shear modulus.",
             )
 
     @property

@@ -21,6 +21,7 @@ from wraparc.checks.check import Check, Level
 from wraparc.checks.judge import judge
 from wraparc.checks.least_tension import least_tension
 from wraparc.checks.of_drive import allowed_tension
+from wraparc.checks.usual import USUAL_RULE
 from wraparc.checks.verdict import Verdict
 from wraparc.drive import Drive
 from wraparc.train.whole import Whole, by_pulley
@@ -29,6 +30,8 @@ from wraparc.train.whole import Whole, by_pulley
 _MOST_TENSION = 4.0
 #: Part of the tension that a belt keeps where least of it is tried [-].
 _LEAST_TENSION = 0.05
+#: Times its usual end, an input is one that no drive has [-].
+_FAR_OUTSIDE = 3.0
 #: Tensions that are tried first, by rows and one by one, and values then at once.
 _ROW_POINTS, _ROW_SPLITS, _SINGLE_POINTS = 24, 24, 4
 
@@ -60,6 +63,9 @@ def _find(result: Whole) -> Action | None:
         return own_action(worst)
     if worst.name == "operating_point" and worst.action:  # a motor: no tension, wrap or lagging
         return own_action(worst)
+    implausible = _implausible(verdict)
+    if implausible is not None:
+        return own_action(implausible)
     source = source_of(result, _pulleys(verdict, result), _take_up(result))
     if source is None:
         return own_action(worst)
@@ -87,6 +93,15 @@ def _find(result: Whole) -> Action | None:
         return own_action(worst)
     percent = percent_too_large(task, evaluate, worst.name, found.tried)
     return Action(none_text(percent, task))
+
+
+def _implausible(verdict: Verdict) -> Check | None:
+    """Return the input that is farthest outside of what drives have, None if none is far outside.
+
+    By such a number nothing can be advised: it is another one that is meant.
+    """
+    sizes = [c for c in verdict.missed if c.name == USUAL_RULE.name and c.used > _FAR_OUTSIDE]
+    return max(sizes, key=lambda check: check.used, default=None)
 
 
 def own_action(check: Check) -> Action | None:

@@ -9,7 +9,7 @@ import numpy as np
 from wraparc.across import AcrossResult, Cushion, WearHistory
 from wraparc.answer.sheet import NONE, Row, Table, Verdict, named
 from wraparc.checks import Level
-from wraparc.units import GIVEN_DIGITS, quantity
+from wraparc.units import GIVEN_DIGITS, count, fixed, quantity
 
 #: Rows of a table of wear; the march has more steps.
 _ROWS = 8
@@ -47,7 +47,7 @@ def wear_verdict(now: AcrossResult, history: WearHistory, least: float) -> Verdi
         headline += f"to thinnest now, {left} after {depth} of mean wear."
         sentences = ["It wears to the shape that wears evenly under what is uneven, and stays so."]
     if history.ended:
-        sentences.append(f"The march ended early. {history.ended}")
+        sentences.append(f"The integration ended early. {history.ended}")
     return Verdict(level, headline, (*sentences, relag_sentence(history, least)))
 
 
@@ -59,11 +59,11 @@ def relag_sentence(history: WearHistory, least: float) -> str:
         return f"Re-lag now: the thinnest strip is down to {to} already."
     if np.all(np.isnan(history.passes)):
         return (
-            f"When to re-lag at {to} cannot be told: give the hours run since the lagging was new, "
-            "or a lagging with a wear coefficient."
+            f"Time to re-lagging at {to} unknown: give the hours run since the lagging was "
+            "new, or a lagging with a wear coefficient."
         )
     if math.isnan(float(history.hours[-1])):
-        return "When to re-lag cannot be told in hours: give the belt speed."
+        return "Hours to re-lagging unknown: give the belt speed."
     hours = history.hours_to(least)
     if math.isnan(hours):
         thin = quantity(float(thinnest[-1]), "length", GIVEN_DIGITS)
@@ -77,8 +77,8 @@ def _hours(hours: float) -> str:
 
 def wear_table(history: WearHistory) -> Table:
     """Return how lagging, tension and wear go on, at some places of the march."""
-    count = len(history.mean_depth)
-    kept = np.unique(np.linspace(0, count - 1, min(_ROWS, count)).round().astype(int))
+    steps = len(history.mean_depth)
+    kept = np.unique(np.linspace(0, steps - 1, min(_ROWS, steps)).round().astype(int))
     timed = not math.isnan(float(history.hours[-1]))
     heads = ["unevenness", "thinnest strip", "tightest strip over mean", "wear, worst over mean"]
     rows = []
@@ -87,10 +87,10 @@ def wear_table(history: WearHistory) -> Table:
         values = [
             named("lagging_thickness", float(history.unevenness[k])),
             named("lagging_thickness", float(np.min(history.thickness[k]))),
-            f"{float(np.max(tension) / np.mean(tension)):.3f}",
-            f"{float(np.max(energy) / np.mean(energy)):.3f}",
+            fixed(float(np.max(tension) / np.mean(tension)), 3),
+            fixed(float(np.max(energy) / np.mean(energy)), 3),
         ]
-        values += [f"{float(history.hours[k]):.0f} h"] if timed else []
+        values += [f"{count(float(history.hours[k]))} h"] if timed else []
         depth = named("lagging_thickness", float(history.mean_depth[k]))
         rows.append(Row(f"after {depth} of mean wear", tuple(values)))
     if timed:
@@ -131,9 +131,9 @@ def cushion_table(found: Cushion) -> Table:
             continue
         creep, uneven = float(found.creep[k]), float(found.unevenness[k])
         values = (
-            f"{100.0 * uneven:+.2f} %",
+            fixed(uneven, 2, "percent signed"),
             _change(uneven, float(found.unevenness[0])),
-            f"{float(found.wear_unevenness[k]):.3f}",
+            fixed(float(found.wear_unevenness[k]), 3),
             named("exit_creep", creep),
             _change(creep, float(found.creep[0])),
         )
@@ -146,4 +146,4 @@ def cushion_table(found: Cushion) -> Table:
 
 
 def _change(value: float, first: float) -> str:
-    return NONE if not abs(first) > 1e-12 else f"{100.0 * (value / first - 1.0):+.0f} %"
+    return NONE if not abs(first) > 1e-12 else fixed(value / first - 1.0, 1, "percent signed")

@@ -91,7 +91,7 @@ def answer_table(result: AcrossResult) -> Table:
     rows = [
         row("largest_running_tension", _of_mean(result.largest_running_tension, arc.entry_tension,
                                                 arc.width)),
-        row("tightest_strip_tension", "the mean over it; above, carried on to the very edge"),
+        row("tightest_strip_tension", "the mean over it; above, extrapolated to the very edge"),
         row("least_tension", at(least)),
         row("entry_unevenness", at(place_of_largest(result.entry_tension))),
         row("exit_unevenness", at(place_of_largest(result.exit_tension))),
@@ -106,11 +106,13 @@ def answer_table(result: AcrossResult) -> Table:
         row("drum_number", "" if arc.pitch_offset is not None else surface_sentence(arc.diameter)),
     ]  # fmt: skip
     if result.wide.static_profile is not None:
-        rows.insert(2, row("largest_static_tension", "the label lines held at both ends"))
+        rows.insert(2, row("largest_static_tension", "the label lines fixed at both ends"))
     if not math.isnan(result.outside_tested_share):
         note = "of the wrapped area" if result.outside_tested_share else ""
         value = percent(result.outside_tested_share)
-        rows.insert(8, Row("Share outside tested range", (value,), "", note))
+        rows.insert(
+            8, Row("Share outside tested range", (value,), "", note, "outside_tested_share")
+        )
     return Table(
         title, tuple(rows), note=f"{result.wide.strips} strips; values are theirs.", name="width"
     )
@@ -143,7 +145,7 @@ def profile_table(result: AcrossResult) -> Table:
     rows = []
     for place in places.tolist():
         values = [number(name, float(np.interp(place, y, column))) for name, _, column in columns]
-        values.append(f"{100.0 * float(np.interp(place, y, energy)):.0f} %")
+        values.append(percent(float(np.interp(place, y, energy))))
         rows.append(Row(named("across_position", place), tuple(values)))
     return Table("Across the belt", tuple(rows), (*heads, "wear of mean"), name="strips")
 
@@ -205,7 +207,7 @@ def compared_table(results: Sequence[DriveResult], heads: tuple[str, ...]) -> Ta
     words = tuple(
         "even" if r is None else r.status.name.lower().replace("solved", "carried") for r in found
     )
-    rows = [Row("Belt across its width", words)]
+    rows = [Row("Belt across its width", words, name="status")]
     rows += [row_of(name, *(value(r, name) for r in found)) for name in _COMPARED]
     return Table("Across the width", tuple(rows), heads, name="width")
 

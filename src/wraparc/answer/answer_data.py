@@ -92,7 +92,8 @@ def _cell(cell: Cell) -> Data:
     """Return a number and what is said of it that is not usual."""
     found: Data = {"value": cell.value if math.isfinite(cell.value) else None}
     if math.isfinite(cell.other):
-        found["from" if cell.form in RANGES else "apart"] = cell.other
+        key = "from" if cell.form in RANGES else "error" if cell.form == "bare error" else "apart"
+        found[key] = cell.other
     found["unit"] = DIMENSION_TEXT[cell.dimension].si_unit or "1"
     known = GLOSSARY.get(cell.name)
     usual = {

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Callable
 
+from wraparc.answer.key_figures import figure_of, further_figures
 from wraparc.answer.sheet import Row, Table, between, named, percent, row_of, term
 from wraparc.arc import ArcResult
 from wraparc.checks import Level
@@ -11,7 +12,7 @@ from wraparc.friction import Constant, FrictionLaw, PressurePower
 Results = tuple[ArcResult, ...]
 
 #: What a method is called in headings.
-METHOD_TITLES = {"distributed": "distributed", "paper": "paper's march"}
+METHOD_TITLES = {"distributed": "distributed", "paper": "paper's integration"}
 
 
 def heads(results: Results) -> tuple[str, ...]:
@@ -49,13 +50,14 @@ def answer_table(results: Results) -> Table:
     notes += [told] if (told := creep_interval_text(first)) else []
     level, sides = _creep_level(first), {r.within_creep_limit for r in results if r.status.solved}
     if len(sides) > 1:
-        notes.append("the methods stand on different sides of it")
+        notes.append("the methods differ in whether it passes")
         level = Level.ATTENTION if level is Level.OK else level
     where = f"at {named('peak_shear_position', first.peak_shear_position)} from the entry"
     pressure = Row(
         "Wrap pressure, entry to exit",
         _values(results, _pressures),
         "p",
+        name="wrap_pressures",
     )
     rows = [
         row(
@@ -79,12 +81,11 @@ def answer_table(results: Results) -> Table:
         rows.append(row("stuck_arc", "entry part where the belt does not slip"))
     if not all(math.isnan(result.outside_tested_share) for result in results):
         rows.append(_outside_row(results))
-    if len(results) == 1:
-        g = f"{percent(first.entry_creep_ratio)} to {percent(first.exit_creep_ratio)}"
-        note = "belt slower than the lagging surface, entry to exit"
-        if first.exit_creep_ratio < 0.0:
-            note = "negative: belt faster than the lagging surface, entry to exit"
-        rows.append(Row("Creep ratio", (g,), "g", note))
+    note = "belt slower than the lagging surface, entry to exit"
+    if first.exit_creep_ratio < 0.0:
+        note = "negative: belt faster than the lagging surface, entry to exit"
+    rows.append(Row("Creep ratio", _values(results, _creep_ratios), "g", note, "creep_ratio"))
+    rows += [_key_row(results, figure.name) for figure in further_figures()]
     return Table(f"Result: {belongs(first)}", tuple(rows), heads(results), name="result")
 
 
@@ -97,6 +98,14 @@ def creep_interval_text(result: ArcResult) -> str:
         end = low if math.isinf(high) else high
         return f"95 % by the law: from {named('exit_creep', end)} to gross slip"
     return f"95 % by the law: {between('exit_creep', low, high)}"
+
+
+def _creep_ratios(result: ArcResult) -> str:
+    return f"{percent(result.entry_creep_ratio)} to {percent(result.exit_creep_ratio)}"
+
+
+def _key_row(results: Results, name: str) -> Row:
+    return row_of(name, *(figure_of(result, name) for result in results))
 
 
 def _pressures(result: ArcResult) -> str:
@@ -125,10 +134,10 @@ def creep_table(results: Results) -> Table:
     rows = []
     for name, note in (
         ("creep_shrinkage", "the belt sheds tension and shortens"),
-        ("creep_compression", "the lagging is squeezed at the entry and recovers"),
+        ("creep_compression", "the lagging is compressed at the entry and recovers"),
         (
             "creep_global",
-            "the whole belt slips back: what the friction needs beyond the first two",
+            "the whole belt slips back: what the friction needs in addition to the first two",
         ),
     ):
         texts = _values(results, lambda r, name=name: creep_part(r, name))  # type: ignore[misc]
@@ -174,14 +183,14 @@ def capacity_table(result: ArcResult) -> Table | None:
     ]  # fmt: skip
     if arc.law.tested is not None:
         slip = named("slip", arc.law.tested.slip_max)
-        note = f"slip at the largest tested, {slip}"
+        note = f"slip at the maximum tested, {slip}"
         rows.append(
             ratio("tested_slip_capacity", c.tested_slip_capacity, c.tested_slip_margin, note)
         )
     gross = _gross_note(independent_of_slip(arc.law), c.gross_slip_creep)
     rows.append(row("gross_slip_capacity", c.gross_slip_capacity, gross))
     note = (
-        f"Ratios {tight}/{slack} with {tight} held at {held}; margin is the capacity over the "
+        f"Ratios {tight}/{slack} at constant {tight} of {held}; margin is the capacity over the "
         f"actual ratio, {named('tension_ratio', actual)}."
     )
     return Table("Capacity", tuple(rows), note=note, name="capacity")
@@ -191,7 +200,7 @@ def _gross_note(plain: bool, creep: float) -> str:
     if plain:
         return "the whole wrap slips"
     if math.isinf(creep):
-        return "extrapolated, approached as creep grows without bound"
+        return "extrapolated, approached as creep grows to infinity"
     return f"extrapolated, at {named('gross_slip_creep', creep)} of creep"
 
 

@@ -13,7 +13,7 @@ from wraparc.checks import Level
 from wraparc.checks.action import Action
 from wraparc.checks.of_arc import COVER_UNKNOWN
 from wraparc.glossary import GLOSSARY
-from wraparc.units import Dimension
+from wraparc.units import Dimension, fixed
 
 #: parameter -> title, dimension
 _PARAMETERS: dict[str, tuple[str, Dimension]] = {
@@ -153,7 +153,7 @@ def _apart(found: Calibration, problem: Problemset) -> Iterator[str]:
             yield (
                 f"{GLOSSARY[t.quantity].title} along the arc, {t.load_case}: the best fit misses "
                 f"it by {named(t.quantity, miss)} in the mean, {percent(miss / most, 2)} "
-                f"of its largest value. {_OTHER}"
+                f"of its maximum. {_OTHER}"
             )
 
 
@@ -222,11 +222,11 @@ def _deviations(found: Calibration) -> Table:
         for d in found.deviations
     ]
     note = (
-        "Standard deviations, common to all load cases. The zero of the speed ratio holds the "
-        "radius of the wheel, the diameter of the drum and the thickness of the belt: each shifts "
-        "every ratio alike, so no record tells them apart."
+        "Standard deviations, common to all load cases. The zero of the speed ratio contains "
+        "the radius of the wheel, the diameter of the pulley and the thickness of the belt: each "
+        "shifts every ratio alike, so no record separates them."
     )
-    heads = ("stated", "found off by", "left")
+    heads = ("stated", "estimated error", "left")
     return Table("Errors of what was measured with", tuple(rows), heads, note)
 
 
@@ -259,7 +259,7 @@ def _correlations(found: Calibration) -> Table:
     if len(names) < 2:
         return Table("Correlations", ())
     rows = [
-        Row(name, tuple(f"{v:+.2f}" for v in row))
+        Row(name, tuple(fixed(float(v), 2, "signed") for v in row))
         for name, row in zip(names, found.correlation.tolist(), strict=True)
     ]
     return Table("Correlations of the estimates", tuple(rows), tuple(names), name="correlations")
@@ -285,7 +285,7 @@ def _remarks(found: Calibration) -> Iterator[str]:
     yield from _covered(found, outside=False)
     if found.offset is not None:
         yield (
-            "By the zero record, with drum and wheel as stated, the tension member runs "
+            "By the zero record, with pulley and wheel as stated, the tension member runs "
             f"{named('pitch_offset', found.offset)} above the lagging surface."
         )
     names = [e.name.replace("_", " ") for e in found.estimates]

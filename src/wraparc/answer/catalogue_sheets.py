@@ -26,7 +26,7 @@ from wraparc.drive import CREEP_LIMIT, Fit, Lagging
 from wraparc.friction import CoefficientPieces, FrictionLaw, IntegralLog, PressureKnots
 from wraparc.glossary import GLOSSARY
 from wraparc.provenance import Kind
-from wraparc.units import System, display, display_unit, either, in_unit, unit_of
+from wraparc.units import Cell, System, display, display_unit, either, fixed, in_unit, unit_of
 
 #: Wrap pressure that one friction tells a lagging by [Pa], 30 psi; the slip is the creep limit.
 _AT = 207e3
@@ -46,7 +46,7 @@ def laggings_sheet(laggings: Sequence[Lagging]) -> Sheet:
                 lagging.condition,
                 lagging.surface or NONE,
                 named("lagging_thickness", lagging.thickness),
-                f"{float(lagging.law.friction(CREEP_LIMIT, _AT)):.2f}",
+                fixed(float(lagging.law.friction(CREEP_LIMIT, _AT)), 2),
             ),
             note=of.note(lagging.provenance),
         )
@@ -181,9 +181,9 @@ def _coefficient_table(law: IntegralLog, of_condition: str) -> Table:
         values = (
             *(_coefficient(law, pressure, place) for place in (0, 1)),
             number("peak_slip", float(slip[i])),
-            f"{peak[i]:.3f}",
+            fixed(peak[i], 3),
             number("post_peak_slope", float(slope[i])),
-            f"{residual[i]:.3f}",
+            fixed(residual[i], 3),
         )
         rows.append(Row(named("wrap_pressure", pressure), values))
     heads = (
@@ -212,7 +212,7 @@ def _design_table(surface: str, of: Sources) -> Table:
     for design in catalogue.design_friction():
         if design.surface == surface:
             low, high = design.friction
-            text = f"{low:.2f}" if low == high else f"{low:.2f} to {high:.2f}"
+            text = Cell(high, "number", form="to", other=low)
             title = ", ".join(part for part in (design.standard, design.condition) if part)
             rows.append(Row(title, (text,), note=of.note(design.provenance)))
     return Table(f"Design values of friction, {surface}", tuple(rows), name="constant")
@@ -264,7 +264,7 @@ def belts_sheet() -> Sheet:
         heads = (
             "rating",
             "modulus M",
-            "least drive pulley",
+            "minimum drive pulley",
             "carcass",
             "its mass",
             either("1 mm of cover", "1/32 in of cover"),

@@ -16,7 +16,7 @@ from wraparc.choose.across import MOST, is_uneven
 from wraparc.choose.belt_rating import LighterBelt
 from wraparc.choose.selection import Selection
 from wraparc.drive import Sag
-from wraparc.units import RESULT_DIGITS, Cell
+from wraparc.units import RESULT_DIGITS, Cell, count, fixed
 
 _MOST_ROWS = 15
 _CSV_HEADS = (
@@ -83,7 +83,7 @@ def _ranking(selection: Selection, most: int) -> Table:
     for i in map(int, selection.ranking[:most]):
         marks = [w for w, s in (("creep", on_creep), ("T2", on_slack)) if i in s]
         values = (
-            *(f"{v[i]:,.0f}" for v in (costs.total, costs.lagging, costs.energy)),
+            *(count(float(v[i])) for v in (costs.total, costs.lagging, costs.energy)),
             number("exit_creep", float(selection.creep[i])),
             *([_uneven(selection, i)] if is_uneven(selection.search) else []),
             Cell(
@@ -96,7 +96,7 @@ def _ranking(selection: Selection, most: int) -> Table:
     more = len(selection.ranking) - len(rows)
     note = "front: no cheaper design has less creep, or needs less slack-side tension T2"
     if max(selection.search.shape[4:]) > 1:
-        note += "; of designs that differ in wrap and tension alone the least of both comes first"
+        note += "; of designs that differ in wrap and tension alone the minimum of both comes first"
     if is_uneven(selection.search):
         note += "; uneven: tightest strip at the entry over the mean tension, the worst case"
         note += ", - where not solved across the width" if len(selection.unjudged) else ""
@@ -112,8 +112,7 @@ def _ranking(selection: Selection, most: int) -> Table:
 
 
 def _uneven(selection: Selection, i: int) -> str:
-    value = float(selection.unevenness[i])
-    return "-" if math.isnan(value) else f"{100.0 * (value - 1.0):+.1f} %"
+    return fixed(float(selection.unevenness[i]) - 1.0, 1, "percent signed")
 
 
 def _rejected(selection: Selection, most: int) -> Table:
@@ -152,7 +151,7 @@ def _remarks(selection: Selection) -> Iterator[str]:
     yield from _slack_remarks(selection)
     yield from _edge_remarks(selection)
     if search.costing.tariff is None:
-        yield "Energy lost to creep is left out: no tariff is given."
+        yield "Energy lost to creep is left out: tariff missing."
     elif len(search.conditions) > 1:
         yield f"Energy is that of condition {search.conditions[0].name}."
     if not search.costing.belts:
@@ -163,11 +162,11 @@ def _remarks(selection: Selection) -> Iterator[str]:
     if search.limits.least_pulley_diameter:
         unknown = [b.name for b in search.belts if b.least_pulley_diameter is None]
         if unknown:
-            yield f"No least pulley diameter is published of {', '.join(unknown)}."
+            yield f"No minimum pulley diameter is published of {', '.join(unknown)}."
     if len(search.drive.pulleys) > 1:
         yield (
             f"Only pulley {search.pulley} was varied. The slack-side tension is that behind the "
-            "drives, where the take-up is; every pulley pulls as in the drive file."
+            "drives, where the take-up is; the Te of every pulley is that of the drive file."
         )
 
 
@@ -175,7 +174,7 @@ def _slack_remarks(selection: Selection) -> Iterator[str]:
     search, sag = selection.search, selection.search.limits.sag
     if search.least_slack:
         held = tension_at(search.drive.take_up_place)
-        yield f"The {held} is the least with which every check that it helps passes."
+        yield f"The {held} is the minimum with which every check that it helps passes."
     sag = sag or search.drive.criteria.sag
     if sag is None:
         yield (
@@ -192,8 +191,8 @@ def _edge_remarks(selection: Selection) -> Iterator[str]:
     if count:
         yield (
             f"The first {MOST} of the ranking and the designs of the fronts are solved across the "
-            f"width. {count} further designs are not: how uneven they run and what their edges "
-            "carry is not known. To judge them too, search fewer."
+            f"width. {count} further designs are not: their unevenness and edge tensions are "
+            "not known. To judge them too, search fewer."
         )
 
 
@@ -259,7 +258,7 @@ def _uneven_cells(selection: Selection, i: int) -> list[str]:
         return []
     edge = selection.standings["edge_tension"]
     known = math.isfinite(edge.value[i])
-    told = "solved" if known else "not solved" if math.isnan(edge.value[i]) else "not carried"
+    told = "solved" if known else "not solved" if math.isnan(edge.value[i]) else "not transmitted"
     numbers = (selection.unevenness[i], edge.value[i], edge.limit[i])
     return [told, *(_plain(float(v)) if known else "" for v in numbers)]
 

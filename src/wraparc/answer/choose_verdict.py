@@ -67,9 +67,8 @@ def _lighter_belt(selection: Selection, lighter: LighterBelt) -> str:
     allowed = "".join(f", of which {case} may take {percent(s)}" for case, s in shares)
     return (
         f"The lightest catalogue belt that would do is {lighter.belt.name}: "
-        f"{slack_words(selection.search)} {named('tension', lighter.slack_tension)}, largest "
-        "tension "
-        f"{tight} of a rated {named('belt_modulus', lighter.belt.rating or 0.0)}{allowed}."
+        f"{slack_words(selection.search)} {named('tension', lighter.slack_tension)}, maximum "
+        f"tension {tight} of a rated {named('belt_modulus', lighter.belt.rating or 0.0)}{allowed}."
     )
 
 

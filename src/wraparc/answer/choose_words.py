@@ -22,8 +22,13 @@ def money(value: float, currency: str) -> str:
 
 
 def slack_words(search: Search) -> str:
-    """Return what has the tension of a design: the slack side, or the take-up elsewhere."""
-    return "take-up" if search.drive.take_up_place else "slack side"
+    """Return the name of the tension of a design: T2, or that of the take-up elsewhere."""
+    return "take-up" if search.drive.take_up_place else "T2"
+
+
+def _slack_noun(search: Search) -> str:
+    """Return the same as the subject of a sentence."""
+    return "the take-up" if search.drive.take_up_place else "T2"
 
 
 def design_name(selection: Selection, design: int, *, slack: bool = True) -> str:
@@ -57,7 +62,7 @@ def reason(selection: Selection, design: int, name: str) -> str:
     if rule is DESIGN_STANDARD and not math.isfinite(limit):
         text = f"{rule.what} cannot be applied"
     elif rule is EDGE and not math.isfinite(value):
-        text = "a strip of the belt goes slack, or the uneven belt is not carried"
+        text = "a strip of the belt goes slack, or the uneven pulley cannot transmit Te"
     else:
         check = Check(
             name=name, title=rule.what, level=rule.missed, value=value, limit=limit,
@@ -138,8 +143,8 @@ def saving_words(selection: Selection) -> Iterator[str]:
     words = "less" if then <= now else "more"
     parts = f"{named('tension', abs(now - then))} {words}"
     yield (
-        f"Against the take-up of the drive file, {named('tension', now)}, the "
-        f"{slack_words(search)} is {parts}; the mass of a gravity take-up{where}, of sheave ratio "
+        f"Against the take-up of the drive file, {named('tension', now)}, "
+        f"{_slack_noun(search)} is {parts}; the mass of a gravity take-up{where}, of sheave ratio "
         f"{search.drive.criteria.take_up.sheave_ratio:g}, goes from {_mass(search, now)} "
         f"to {_mass(search, then)}."
     )
@@ -147,7 +152,7 @@ def saving_words(selection: Selection) -> Iterator[str]:
     rating = search.belts[selection.grid.places[2, best]].rating
     share = "" if not rating else f", {percent(tight / width / rating, 3)} of the belt's rating"
     yield (
-        f"The largest tension goes from {per_width[0]} to {per_width[1]}{share}: what a belt must "
+        f"The maximum tension goes from {per_width[0]} to {per_width[1]}{share}: what a belt must "
         "be rated for; wraparc choose --lightest-belt looks for one."
     )
 
@@ -171,14 +176,14 @@ def next_dearer_words(selection: Selection) -> Iterator[str]:
                 names[selection.grid.places[0, i]]
                 for i in (best, int(ranking[np.argmin(total[ranking])]))
             )
-            also = ", which also costs least over its life" if own == cheapest else ""
+            also = ", which also has the lowest life cost" if own == cheapest else ""
             yield f"No feasible candidate has a more expensive lagging than {own}{also}."
         return
     more = selection.costs.total[other] - selection.costs.total[best]
     changes = [
         f"the creep goes from {named('exit_creep', float(selection.creep[best]))} to "
         f"{named('exit_creep', float(selection.creep[other]))}",
-        f"the {slack_words(selection.search)} from "
+        f"{_slack_noun(selection.search)} from "
         f"{named('tension', float(selection.slack_tension[best]))} to "
         f"{named('tension', float(selection.slack_tension[other]))}",
     ]

@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from wraparc.answer.least_tension import at_least, least_name
-from wraparc.answer.sheet import NONE, Row, Table
+from wraparc.answer.sheet import NONE, Row, Table, named
 from wraparc.arc import DriveResult
 from wraparc.checks import Check, Level, Verdict, judge
 from wraparc.checks.least_tension import least_of
@@ -47,13 +47,21 @@ def conditions_table(result: DriveResult, whole: Whole) -> Table:
     for verdict in judged.values():
         names |= dict.fromkeys(c.name for c in verdict.listed if _told(c))
     words = tuple(verdict.label for verdict in judged.values())
-    rows = [Row("Verdict", words)]
+    rows = [Row("Verdict", words, name="verdict")]
     rows += [_row(name, tuple(judged.values())) for name in names]
     rows.append(
-        Row("Equivalent friction at the creep limit", tuple(map(_friction, parts.values())))
+        Row(
+            "Equivalent friction at the creep limit",
+            tuple(map(_friction, parts.values())),
+            name="equivalent_friction",
+        )
     )
     rows.append(
-        Row(f"Minimum {least_name(result)}", tuple(_least(p, result) for p in parts.values()))
+        Row(
+            f"Minimum {least_name(result)}",
+            tuple(_least(p, result) for p in parts.values()),
+            name="minimum_tension",
+        )
     )
     return Table("Conditions side by side", tuple(rows), tuple(parts), _NOTE, "conditions")
 
@@ -96,7 +104,8 @@ def _row(name: str, verdicts: tuple[Verdict, ...]) -> Row:
     texts = tuple(NONE if check is None else _text(check) for check in found)
     limits = distinct(c.bound() for c in there)
     worst = max((c.level for c in there), key=lambda level: level.rank)
-    return Row(there[0].title, texts, note=limits[0] if len(limits) == 1 else "", level=worst)
+    note = limits[0] if len(limits) == 1 else ""
+    return Row(there[0].title, texts, note=note, name=name, level=worst)
 
 
 def _text(check: Check) -> str:
@@ -109,7 +118,7 @@ def _friction(result: DriveResult) -> str:
     """Return the least constant friction that stands for an arc at its creep limit."""
     found = [a.capacities.equivalent_friction for a in result]
     known = [friction for friction in found if not math.isnan(friction)]
-    return f"{min(known):.3f}" if known else NONE
+    return named("equivalent_friction", min(known)) if known else NONE
 
 
 def _least(part: DriveResult, result: DriveResult) -> str:

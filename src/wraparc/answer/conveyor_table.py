@@ -5,6 +5,7 @@ from typing import Any
 from wraparc.answer.sheet import Row, Table, headed, number
 from wraparc.answer.sources import Sources
 from wraparc.conveyor import Conveyor, Resistance, State
+from wraparc.conveyor.resistance import GIVEN
 from wraparc.drive import Drive
 
 _TITLES = {
@@ -15,8 +16,8 @@ _TITLES = {
     "inertia": ("Acceleration", "F_a"),
 }
 _NOTE = (
-    "Resistances of both strands; negative ones drive the belt. The take-up holds its tension "
-    "while starting and stopping as it does while running."
+    "Resistances of both strands; negative ones drive the belt. The take-up tension is the "
+    "same while starting, stopping and running."
 )
 
 
@@ -34,7 +35,7 @@ def conveyor_tables(drive: Drive, of: Sources) -> list[Table]:
     for together in zip(*(state.resistances for state in states), strict=True):
         first: Resistance = together[0]
         if any(resistance.total for resistance in together):
-            note = "given" if first.source == "given" else of.number(first.source)
+            note = "input" if first.source == GIVEN else of.number(first.source)
             rows.append(row(*_TITLES[first.name], [r.total for r in together], note))
     rows.append(row("Effective tension", "T1 - T2", [s.pull for s in states], "their sum"))
     rows.append(row("Entry tension", "T1", [s.entry for s in states]))

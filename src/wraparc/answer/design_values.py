@@ -8,6 +8,7 @@ from wraparc.answer.sources import Sources
 from wraparc.arc import ArcResult, ClassicalDrive, classical_drives
 from wraparc.checks import Level
 from wraparc.drive import Lagging
+from wraparc.units import Cell
 
 
 def comparison_table(result: ArcResult, lagging: Lagging, of: Sources) -> Table:
@@ -17,7 +18,7 @@ def comparison_table(result: ArcResult, lagging: Lagging, of: Sources) -> Table:
     ratio = max(arc.entry_tension, arc.exit_tension) / given
     mean = math.log(ratio) / arc.wrap_angle
     asked = _texts(mean, ratio, given, arc.wrap_angle if mean else 0.0)
-    rows = [Row("This load, whole wrap slipping", asked)]
+    rows = [Row("This load, whole wrap slipping", asked, name="load")]
     if not math.isnan(c.equivalent_friction):
         limit = _texts(
             c.equivalent_friction,
@@ -25,17 +26,17 @@ def comparison_table(result: ArcResult, lagging: Lagging, of: Sources) -> Table:
             c.least_exit_tension,
             math.nan,
         )
-        rows.append(Row("At the creep limit, as computed", limit))
+        rows.append(Row("At the creep limit, as computed", limit, name="at_creep_limit"))
     rows += [_design_row(classical, result, of) for classical in known(result, lagging)]
     if lagging.surface:
         note = (
-            "Slack side: Cw (T1 - T2) with Cw = 1/(exp(mu phi) - 1). Slipping arc: "
+            "T2: Cw (T1 - T2) with Cw = 1/(exp(mu phi) - 1). Slipping arc: "
             "ln(T1/T2)/mu. Design values are constant and take no account of creep."
         )
     else:
-        note = "The surface of the lagging is not given, so no design values apply."
+        note = "Surface of the lagging missing: no design values apply."
     ratio_head = "T1/T2 up to" if arc.side > 0.0 else "T2/T1 up to"
-    heads = ("friction", ratio_head, "slack side", "slipping arc")
+    heads = ("friction", ratio_head, "T2", "slipping arc")
     return Table("Compared with constant friction", tuple(rows), heads, note, "constant")
 
 
@@ -59,14 +60,15 @@ def _design_row(drive: ClassicalDrive, result: ArcResult, of: Sources) -> Row:
     slips = drive.slipping_arc[0] > arc.wrap_angle
     low, high = design.friction
     values = (
-        f"{low:.2f}" if low == high else f"{low:.2f}-{high:.2f}",
+        Cell(high, "number", form="-", other=low),
         _pair("tension_ratio", drive.ratio),
         _at_least(*drive.slack_tension),
         "gross slip" if slips else _pair("active_arc", drive.slipping_arc),
     )
     note = of.note(design.provenance)
     title = ", ".join(part for part in (standard, design.surface, design.condition) if part)
-    return Row(title, values, note=note, level=Level.ATTENTION if slips else None)
+    level = Level.ATTENTION if slips else None
+    return Row(title, values, note=note, name="design_value", level=level)
 
 
 def _at_least(low: float, high: float) -> str:

@@ -19,6 +19,7 @@ from wraparc.answer.conveyor_table import conveyor_tables
 from wraparc.answer.design_values import comparison_table
 from wraparc.answer.input_tables import input_table, input_tables
 from wraparc.answer.inputs import drive_inputs
+from wraparc.answer.key_figures import figure_of, key_figures
 from wraparc.answer.least_tension import least_table, margins_table
 from wraparc.answer.sheet import (
     NONE,
@@ -31,6 +32,7 @@ from wraparc.answer.sheet import (
     number,
     percent,
     quantity,
+    term,
 )
 from wraparc.answer.sources import Sources
 from wraparc.answer.wear_table import life_table, wear_table
@@ -55,6 +57,7 @@ def drive_sheet(
     results: Sequence[DriveResult],
     detail: Sequence[int] | None = None,
     train: TrainResult | None = None,
+    of: Sources | None = None,
 ) -> Sheet:
     """Return everything to show of a solved drive.
 
@@ -66,18 +69,22 @@ def drive_sheet(
         Positions in `DriveResult.arcs` to show in full; the governing arc unless given.
     train
         What the pulleys are of, where they are those of a train: it is judged.
+    of
+        Takes the sources, where more refers to them than the sheet.
     """
     first = results[0]
     whole = train or first
     if detail is None:
         detail = [first.arcs.index(first.governing)]
-    of = Sources()
+    of = Sources() if of is None else of
     tables = [conditions_table(first, whole)] if first.drive.conditions else []
     tables.append(check_table(judge(whole), of))
     least = least_table(whole)
     tables += [least] if least else []
     tables += conveyor_tables(first.drive, of)
     tables.append(summary_table(results, whole))
+    if len(first) > 1:
+        tables.append(figures_table(results))
     tables.append(loads_table(first))
     for position in detail:
         found = arc_tables(first, tuple(r.arcs[position] for r in results), of)
@@ -111,7 +118,7 @@ def with_sides(told: Verdict, results: Sequence[DriveResult]) -> Verdict:
         )
         places.setdefault(one.arc.creep_limit, []).append(f"{belongs(one)}, creeps {creeps}")
     said = tuple(
-        f"The methods stand on different sides of the creep limit {named('creep_limit', limit)}: "
+        f"The methods differ in whether creep passes the limit {named('creep_limit', limit)}: "
         f"{'; '.join(there)}. The paper lumps the contraction of the belt over the arc that is "
         "left, the solver adds it up along the arc."
         + (" The customary limit was set with the paper's." if limit == CREEP_LIMIT else "")
@@ -210,11 +217,31 @@ def summary_table(results: Sequence[DriveResult], whole: "DriveResult | TrainRes
     rows = []
     for result, of in zip(results, (whole, *results[1:]), strict=True):
         for arc in result:
-            method = f", {METHOD_TITLES[arc.method]}" if len(results) > 1 else ""
-            title = f"{arc.arc.load_case}: {arc.arc.pulley}{method}"
+            title = _title_of(arc, several=len(results) > 1)
             values = (*_summary_values(result, arc), short(of, arc))
             rows.append(Row(title, values, level=level_of(of, arc)))
     return Table("All load cases and pulleys", tuple(rows), heads, name="cases")
+
+
+def figures_table(results: Sequence[DriveResult]) -> Table:
+    """One line for each arc and method: the key figures that the line on its load case lacks."""
+    names = [figure.name for figure in key_figures("arcs")]
+    heads = tuple(headed(term(name).title, term(name).dimension) for name in names)
+    rows = [
+        Row(
+            _title_of(arc, several=len(results) > 1),
+            tuple(number(name, figure_of(arc, name)) for name in names),
+        )
+        for result in results
+        for arc in result
+    ]
+    return Table("Key figures", tuple(rows), heads, name="figures")
+
+
+def _title_of(arc: ArcResult, *, several: bool) -> str:
+    """Return load case and pulley of an arc, and the method where there are several."""
+    method = f", {METHOD_TITLES[arc.method]}" if several else ""
+    return f"{arc.arc.load_case}: {arc.arc.pulley}{method}"
 
 
 def loads_of(drive: Drive, of: WrapArc) -> Resultant:
@@ -247,12 +274,11 @@ def loads_table(result: DriveResult) -> Table:
     )
     if weighed:
         note += (
-            f"With the weight ({', '.join(weighed)}): most where the belt pulls straight down, "
-            "least where it pulls straight up; where it pulls level, the root of the sum of both "
-            "squares. "
+            f"With the weight ({', '.join(weighed)}): maximum for a resultant straight down, "
+            "minimum for one straight up; for a level one the root of the sum of both squares. "
         )
     if belt.breaking_strength is None:
-        note += "Safety factor of the belt: its strength is not given."
+        note += "Safety factor of the belt: strength missing."
     else:
         given = quantity(strength, "force_per_width", GIVEN_DIGITS)
         note += f"Safety factor: strength {given} over the larger tension; see the checks."
@@ -293,11 +319,12 @@ def method_remarks(results: Sequence[DriveResult]) -> Iterator[str]:
                 yield f"{belongs(arc)}, by the {METHOD_TITLES[arc.method]}: {arc.status}"
     if any(result.arcs[0].method == "paper" for result in results):
         yield (
-            "The paper's march lumps the shrinkage of the belt over the whole wrap and overstates "
-            "the creep of soft belts; it finds no capacities."
+            "The paper's integration lumps the shrinkage of the belt over the whole wrap and "
+            "overstates the creep of soft belts; it has no capacities."
         )
         if any(arc.arc.offset > 0.0 or arc.arc.centrifugal > 0.0 for arc in results[0]):
             yield (
-                "The paper's march takes the belt as a string on the lagging surface: thickness, "
+                "The paper's integration takes the belt as a string on the lagging surface: "
+                "thickness, "
                 "cover and mass of the belt are not counted in it."
             )

@@ -28,8 +28,8 @@ def event_study_sheet(study: EventStudy, rows: Sequence[EventRow]) -> Sheet:
     lines = [_line(study, row) for row in rows]
     refused = [f"{_named(study, r)}: {r.text}" for r in rows if r.refused]
     note = (
-        "Te ripple: half the range of Te of the last pulley over its mean, in the last quarter of "
-        "the run. Oscillates: frequency of a self-excited oscillation."
+        "Te ripple: half of the last pulley's Te from minimum to maximum over its mean, in the "
+        "last quarter of the run. Oscillates: frequency of a self-excited oscillation."
     )
     return Sheet(
         title=study.title or f"Event {study.event}",
@@ -82,7 +82,7 @@ def _line(study: EventStudy, row: EventRow) -> Row:
         quantity(row.least_tension, "force"),
         NONE if math.isnan(row.swing) else percent(row.swing, 2),
         work(row.friction_energy),
-        f"{row.pulsates:.3g} Hz" if row.pulsates else "no",
+        quantity(row.pulsates, "frequency") if row.pulsates else "no",
         row.label,
     )
     return Row(_named(study, row), values, level=Level(row.level))

@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from wraparc.answer.checks_table import verdict_document
-from wraparc.answer.sheet import NONE, Row, Sheet, Table, Verdict, percent, quantity
+from wraparc.answer.sheet import NONE, Row, Sheet, Table, Verdict, named, percent, quantity
 from wraparc.answer.words import under
 from wraparc.calibrate.field_numbers import TRIP_RULES, FieldNumbers
 from wraparc.checks import Level, Place
@@ -36,16 +36,17 @@ def field_sheet(
         Row(
             f"Healthy, {name}",
             tuple(percent(v) for v in (*pair, *(found.shown[name] if found.shown else ()))),
+            name="healthy",
         )
         for name, pair in found.healthy.items()
     ]
     by_shaft = ("shaft to belt at entry", "at exit") if found.shown else ()
     speeds = Table(
-        "Drum speed less belt speed, over drum speed",
+        "Pulley speed less belt speed, over pulley speed",
         tuple(rows),
         ("belt at entry", "belt at exit", *by_shaft),
-        "drum speed: of the lagging surface where the belt meets it, on the radius less its "
-        "compression; behind the drum the belt runs as its strain does, v2/v1 = (1 + T2/EA)/"
+        "pulley speed: of the lagging surface where the belt meets it, on the radius less its "
+        "compression; behind the pulley the belt runs as its strain does, v2/v1 = (1 + T2/EA)/"
         "(1 + T1/EA)"
         + (
             "; shaft to belt: 1 - v/(omega R), what a tachometer pair shows, as the belt runs on "
@@ -115,10 +116,10 @@ def _circumference(found: FieldNumbers) -> str:
     each = either(*(quantity(step, "length") for step in steps))
     moved_each = either(*(percent(step * found.drift) for step in steps))
     worn, again = found.wear_to_alarm, 0.25 * found.wear_to_alarm
-    alarms, measure = "any wear", "the drum's surface instead of its shaft"
+    alarms, measure = "any wear", "the pulley's surface instead of its shaft"
     if math.isinf(worn):
         return (
-            "These levels need the drum speed from a measured circumference: wear since it was "
+            "These levels need the pulley speed from a measured circumference: wear since it was "
             f"measured hides the slip of a brake, {each} moves every difference by {moved_each}, "
             f"and {depth} by {moved}. Measure {measure}."
         )
@@ -127,7 +128,7 @@ def _circumference(found: FieldNumbers) -> str:
         every = quantity(again, "length")
         measure = f"the circumference again for every {every} worn off, or measure {measure}"
     return (
-        f"These levels need the drum speed from a measured circumference: {alarms} since it "
+        f"These levels need the pulley speed from a measured circumference: {alarms} since it "
         f"was measured raises the alarm by itself, {each} moves every difference by {moved_each}, "
         f"and {depth} by {moved}. Measure {measure}."
     )
@@ -138,13 +139,13 @@ def _at_once(found: FieldNumbers, worst: float) -> Iterator[str]:
     beyond = [n for n, ratio in limits.items() if max(map(abs, found.healthy[n])) > ratio]
     if beyond or (not limits and found.at_limit is not None and worst > found.at_limit):
         yield (
-            "As described, the drive already creeps beyond its limit, where the alarm is set: it "
-            "alarms at once."
+            "As described, the drive already exceeds its creep limit, where the alarm is set: "
+            "it alarms at once."
         )
     elif found.alarms_at(found.worst_seen):
         yield (
-            "One load case sets this alarm, and another shows more without creeping beyond its "
-            "limit: set each load case's own level, that of its creep limit."
+            "One load case sets this alarm, and another shows more within its creep limit: "
+            "set each load case's own level, that of its creep limit."
         )
 
 
@@ -168,37 +169,41 @@ def _rules(found: FieldNumbers, worst: float) -> Iterator[str]:
         )
         yield (
             f"A switch at {rule.name} trips at a difference of {percent(slack, 2)}: {healthy} "
-            f"times the healthy one, {trip} times the trip level given here."
+            f"times the healthy one, {trip} times the trip level in this table."
         )
 
 
 def _levels(found: FieldNumbers) -> Table:
-    def row(title: str, share: float, note: str = "") -> Row:
+    def row(name: str, title: str, share: float, note: str = "") -> Row:
         shown = (percent(found.seen(share, worn)) for worn in (0.0, found.depth))
-        return Row(title, tuple(shown), note=note)
+        return Row(title, tuple(shown), note=note, name=name)
 
     healthy = (found.worst_seen, found.worn_seen(found.depth))
-    rows = [Row("Healthy, at most", tuple(percent(v) for v in healthy))]
+    rows = [Row("Healthy, at most", tuple(percent(v) for v in healthy), name="healthy")]
     limits = found.limits if found.shown else {}
     for name, (ratio, seen) in limits.items():
         worn = seen + (1.0 - found.side * ratio) * found.depth * found.drift
-        rows.append(Row(f"At the creep limit, {name}", (percent(seen), percent(worn))))
+        rows.append(
+            Row(
+                f"At the creep limit, {name}", (percent(seen), percent(worn)), name="at_creep_limit"
+            )
+        )
     if found.at_limit is not None and not limits:
-        rows.append(row("At the creep limit", found.at_limit))
-    rows.append(row("Alarm", found.alarm, note="at the creep limit"))
-    rows.append(row("Trip", found.trip, note="twice the alarm, or gross slip"))
+        rows.append(row("at_creep_limit", "At the creep limit", found.at_limit))
+    rows.append(row("alarm", "Alarm", found.alarm, note="at the creep limit"))
+    rows.append(row("trip", "Trip", found.trip, note="twice the alarm, or gross slip"))
     if found.at_breakaway is not None:
         note = "creep at gross slip over the wrap length; an extrapolation"
-        rows.append(row("Gross slip", found.at_breakaway, note=note))
+        rows.append(row("gross_slip", "Gross slip", found.at_breakaway, note=note))
     rows += [
-        Row(f"Switch at {rule.name}", (percent(1.0 - rule.speed_share), NONE))
+        Row(f"Switch at {rule.name}", (percent(1.0 - rule.speed_share), NONE), name="switch")
         for rule in TRIP_RULES
     ]
     depth = quantity(found.depth, "length")
     heads = ("circumference measured", f"{depth} worn since")
     note = (
         "The second column is what shaft speed times the circumference before the wear shows: set "
-        "a level by the first, and keep the circumference measured."
+        "a level by the first, and measure the circumference regularly."
     )
     return Table("Alarm and trip levels", tuple(rows), heads, note, "levels")
 
@@ -207,15 +212,17 @@ def _wear(found: FieldNumbers, source: str) -> Iterator[Table]:
     if found.passes_per_year <= 0.0:
         return
     rows = [
-        Row("Turns in a year", (quantity(found.passes_per_year, "number"),)),
+        Row("Turns in a year", (quantity(found.passes_per_year, "number"),), name="turns"),
         Row(
             "Frictional energy in a year",
-            (f"{quantity(found.energy_per_year / 1e6, 'number')} MJ/m2",),
+            (named("frictional_energy", found.energy_per_year),),
+            name="frictional_energy",
         ),
     ]
     if not math.isnan(found.wear_per_year):
-        rows.append(Row("Wear in a year", (quantity(found.wear_per_year, "length"),), note=source))
-        rows.append(Row("Life of the depth allowed", (f"{found.life_years:.3g} years",)))
+        wear, life = quantity(found.wear_per_year, "length"), quantity(found.life_years, "number")
+        rows.append(Row("Wear in a year", (wear,), note=source, name="wear"))
+        rows.append(Row("Life of the depth allowed", (f"{life} years",), name="life"))
     yield Table("Wear of the lagging", tuple(rows), name="wear")
 
 
@@ -230,7 +237,7 @@ def _remarks(found: FieldNumbers) -> Iterator[str]:
             "took, to have the wear in a year."
         )
     if found.at_breakaway is None:
-        yield "No creep marks gross slip: what carries most is approached as creep grows."
+        yield "No creep marks gross slip: the maximum Te is approached as creep grows."
 
 
 def _pairs(differences: Mapping[str, tuple[float, float]]) -> dict[str, dict[str, float]]:

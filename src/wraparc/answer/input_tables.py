@@ -9,7 +9,7 @@ from wraparc.arc import WrapArc
 from wraparc.drive import Drive
 
 _TENSIONS = (
-    "T1 at the entry nip, T2 at the exit nip; computed from power or pull where these are given."
+    "T1 at the entry nip, T2 at the exit nip; computed from power or Te where these are inputs."
 )
 #: Things alike that fit beside each other on a page, with room for their sources.
 _ABREAST = 4
@@ -54,7 +54,7 @@ def input_tables(
         alike.setdefault((kind, *(e.title for e in entries)), []).append(group)
 
     def note(same: Sequence[Input]) -> str:
-        notes = [e.note(of) or (str(e.origin.kind) if e.origin and stated else "") for e in same]
+        notes = [e.note(of) or (e.origin.kind_text if e.origin and stated else "") for e in same]
         return "; ".join(dict.fromkeys(filter(None, notes)))
 
     tables = []

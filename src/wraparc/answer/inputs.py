@@ -141,8 +141,8 @@ def belt_inputs(belt: Belt) -> Iterator[Input]:
     if belt.breaking_strength is not None:
         yield own("Breaking strength", belt.breaking_strength, "force_per_width", "strength")
     least, most = belt.least_pulley_diameter, belt.largest_wrap_pressure
-    yield own("Least drive pulley", least, "length", "least_pulley_diameter")
-    yield own("Largest wrap pressure", most, "pressure", "largest_wrap_pressure")
+    yield own("Minimum drive pulley", least, "length", "least_pulley_diameter")
+    yield own("Maximum wrap pressure", most, "pressure", "largest_wrap_pressure")
     yield own("Momentary tension over rating", belt.momentary_factor, "number", "momentary_factor")
     yield _named(group, "belt_speed", belt.speed, origin("speed"))
     shear = belt.in_plane_shear_stiffness
@@ -200,7 +200,7 @@ def _across(pulley: Pulley, origin: Callable[[str], Provenance]) -> Iterator[Inp
     for key, profile in across.profiles().items():
         title = key.replace("_", " ").capitalize()
         dimension: Dimension = "force_per_width" if key == "entry_profile" else "length"
-        rows = f"largest less least of {len(profile.position)} places"
+        rows = f"maximum less minimum of {len(profile.position)} places"
         size = max(profile.value) - min(profile.value) if profile.value else profile.crown
         remark = rows if profile.value else "crown, on radius"
         yield Input(group, title, size, dimension, "", origin("across"), remark)
@@ -253,12 +253,12 @@ def _factors(group: str, lagging: Lagging) -> Iterator[Input]:
         return
     if of.by_slip_speed is not None:
         name = "Friction factor of slip speed, up to"
-        told = f"the least is {of.of_slip_speed:.3g}"
+        told = f"the minimum is {of.of_slip_speed:.3g}"
         yield Input(group, name, of.fastest, "speed", "", of.by_slip_speed.source, told)
     if of.by_temperature is not None:
         told = f"{of.of_temperature:.3g}"
         if of.temperature is None:
-            told = f"{told}, the least of its table: no temperature is given"
+            told = f"{told}, the minimum of its table: temperature missing"
         name = "Friction factor of temperature"
         yield Input(group, name, told, origin=of.by_temperature.source)
 

@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterator
 from typing import Any
 
-from wraparc.answer.sheet import NONE, Row, Table, named, quantity
+from wraparc.answer.sheet import NONE, Row, Table, quantity
 from wraparc.arc import ArcResult, DriveResult
 from wraparc.arc.sliding import SLIDES
 from wraparc.checks import RULES, LeastTension, least_tension, margins_of
@@ -22,7 +22,7 @@ def least_sentence(result: DriveResult | TrainResult) -> str:
         return _none(found, result)
     governs = found.governing
     where = ", ".join(part for part in (governs.title, str(governs.place)) if part)
-    now = named("tension", found.given)
+    now = Cell(found.given, "force", form="typed", name="tension")
     return f"Minimum {least_name(result)} {at_least(found.tension)} ({where}); now {now}."
 
 
@@ -64,7 +64,7 @@ def least_table(result: DriveResult | TrainResult) -> Table | None:
     rows, name = [], least_name(result)
     if not math.isinf(found.tension):
         weight = Cell(found.counterweight, "mass", RESULT_DIGITS, "up")
-        now = f"now {named('tension', found.given)}"
+        now = f"now {Cell(found.given, 'force', form='typed', name='tension')}"
         least = at_least(found.tension)
         symbol = "T2_min" if name == "T2" else ""
         rows.append(Row(f"Minimum {name}", (least, "", now), symbol, name="minimum_tension"))
@@ -119,13 +119,16 @@ def margins_table(result: DriveResult, arc: ArcResult) -> Table | None:
     assumed = "" if take_up.kind else ", assumed"
     rows, after = [], take_up.after
     where = f"Tension behind {after}" if after else "T2"
-    for title, value, own in (
-        (f"{where} constant (gravity take-up, winch)", found.slack_held, not take_up.fixed),
-        ("T1 + T2 constant (fixed take-up)", found.both_held, take_up.fixed),
-        ("T1 constant", found.tight_held, False),
-    ):
+    for name, title, value, own in (
+        (
+            "constant_slack", f"{where} constant (gravity take-up, winch)",
+            found.slack_held, not take_up.fixed,
+        ),
+        ("constant_sum", "T1 + T2 constant (fixed take-up)", found.both_held, take_up.fixed),
+        ("constant_tight", "T1 constant", found.tight_held, False),
+    ):  # fmt: skip
         text = "none" if math.isinf(value) else f"{quantity(value, 'number')} times Te"
-        rows.append(Row(title, (text,), note=f"this drive{assumed}" if own else ""))
+        rows.append(Row(title, (text,), note=f"this drive{assumed}" if own else "", name=name))
     slides = quantity(SLIDES, "length")
     note = (
         f"Te at gross slip: a creep of {slides}, the end of the tested slip or the whole friction, "

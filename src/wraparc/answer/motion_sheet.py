@@ -21,7 +21,7 @@ from wraparc.motion.result import RunResult
 from wraparc.motion.vibration import ControlAnswer, StabilityResult
 from wraparc.train import Train, solve_train
 from wraparc.train.turning import surface_sentence
-from wraparc.units import GIVEN_DIGITS, Dimension, display, display_unit, either
+from wraparc.units import GIVEN_DIGITS, Dimension, bare, display, display_unit, either
 
 #: Amplitude of the pull below which run-out does no harm, and above which it is told as too much.
 _CALM = 0.02
@@ -92,8 +92,8 @@ def _surface(train: Train) -> Iterator[str]:
 
 
 _NOT_EXCLUDED = (
-    "A pulsation by friction that falls with speed or grows with rest is not in the model: it is "
-    "neither found nor excluded."
+    "Oscillation by friction that falls with speed or grows with rest is not modelled: it is "
+    "neither shown nor excluded."
 )
 
 
@@ -104,12 +104,12 @@ def _run_sentences(run: RunResult) -> Iterator[str]:
         taken, other = (quantity(v, "length", GIVEN_DIGITS) for v in (of.taken, of.other))
         then = named("entry_tension", of.tension)
         yield (
-            f"{of.key} is not given: {taken} of belt is taken. With {other} the largest tension "
+            f"{of.key} is missing: {taken} of belt is taken. With {other} the peak tension "
             f"is {then} instead of {now}."
         )
     yield (
-        f"The largest creep, {named('exit_creep', peak.value)}, comes at {peak.place} "
-        f"after {quantity(peak.time, 'time')}; the largest tension, "
+        f"The peak creep, {named('exit_creep', peak.value)}, comes at {peak.place} "
+        f"after {quantity(peak.time, 'time')}; the peak tension, "
         f"{named('entry_tension', tension.value)}, {tension.place} after "
         f"{quantity(tension.time, 'time')}."
     )
@@ -124,15 +124,28 @@ def _run_sentences(run: RunResult) -> Iterator[str]:
         yield f"Creep left at rest: {left}."
         pulls = [float(d.effective_tension[-1]) for d in run]
         if min(pulls) < -0.02 * max(map(abs, pulls)) < 0.02 * max(map(abs, pulls)) < max(pulls):
-            yield "At rest the drums pull against each other."
+            yield "At rest the drives oppose each other."
 
 
 def _whole_table(run: RunResult) -> Table:
     least = run.least_tension
     rows = [
-        Row("Largest tension", (named("entry_tension", run.peak_tension.value),)),
-        Row("Least tension", (named("exit_tension", least.value),), note=least.place),
-        Row("Belt speed at the end", (quantity(float(run.belt_speed[-1]), "speed"),)),
+        Row(
+            "Peak tension",
+            (named("entry_tension", run.peak_tension.value),),
+            name="peak_tension",
+        ),
+        Row(
+            "Minimum tension",
+            (named("exit_tension", least.value),),
+            note=least.place,
+            name="minimum_tension",
+        ),
+        Row(
+            "Belt speed at the end",
+            (quantity(float(run.belt_speed[-1]), "speed"),),
+            name="belt_speed",
+        ),
     ]
     return Table("The event", tuple(rows), name="event")
 
@@ -140,29 +153,32 @@ def _whole_table(run: RunResult) -> Table:
 def _drum_table(run: RunResult) -> Table:
     drums = run.drums
 
-    def row(title: str, values: list[str], note: str = "") -> Row:
-        return Row(title, tuple(values), note=note)
+    def row(name: str, title: str, values: list[str]) -> Row:
+        return Row(title, tuple(values), name=name)
 
     def largest(title: str, name: str, dimension: Dimension) -> Row:
         peaks = [getattr(d.extremes, name).value for d in drums]
-        return row(title, [quantity(peak, dimension) for peak in peaks])
+        return row(f"peak_{name}", title, [quantity(peak, dimension) for peak in peaks])
 
     rows = [
-        largest("Largest pull", "pull", "force"),
-        largest("Largest torque", "torque", "torque"),
-        largest(f"Largest {term('exit_creep').title.lower()}", "creep", "length"),
-        largest("Largest slip", "slip", "length"),
-        largest("Largest shear stress", "shear", "pressure"),
-        row("Share at the end", [percent(float(d.share[-1])) for d in drums]),
+        largest("Peak Te", "pull", "force"),
+        largest("Peak torque", "torque", "torque"),
+        largest(f"Peak {term('exit_creep').title.lower()}", "creep", "length"),
+        largest("Peak slip", "slip", "length"),
+        largest("Peak shear stress", "shear", "pressure"),
+        row("share", "Share at the end", [percent(float(d.share[-1])) for d in drums]),
         row(
+            "time_over_limit",
             "Time over the creep limit",
             [quantity(d.over_limit, "time") for d in drums],
         ),
         row(
+            "friction_work",
             "Friction work on the lagging",
             [work(d.friction_energy) for d in drums],
         ),
         row(
+            "friction_work_per_area",
             "Friction work per area of shell",
             [quantity(run.energy_per_area(d.name), "energy_per_area") for d in drums],
         ),
@@ -170,9 +186,9 @@ def _drum_table(run: RunResult) -> Table:
     depths = [run.wear_depth(d.name) for d in drums]
     if any(d is not None for d in depths):
         rows.append(
-            row("Wear of one such event", [NONE if d is None else _thin(d) for d in depths])
+            row("wear", "Wear of one such event", [NONE if d is None else _thin(d) for d in depths])
         )
-    return Table("The drums", tuple(rows), heads=tuple(d.name for d in drums), name="drums")
+    return Table("The drives", tuple(rows), heads=tuple(d.name for d in drums), name="drums")
 
 
 def work(energy: float) -> str:
@@ -296,7 +312,7 @@ def _calm_action(
     if not passing and any_stable and ways:
         passing = [least(ways, ripple)]
     if not passing:
-        return Action("Try a drum with less run-out: none of the usual controls passes.")
+        return Action("Try a pulley with less run-out: none of the usual controls passes.")
     best = min(passing, key=lambda way: (round(way.power_loss, 6), ripple(way)))
     loss = (
         "no power loss" if best.power_loss < 1e-6 else f"{percent(best.power_loss, 2)} power loss"
@@ -324,13 +340,13 @@ def _why(result: StabilityResult) -> Iterator[str]:
     if any(isinstance(d.control, ExactSpeed) for d in drums[1:]) and result.sensitivity:
         worst = largest(result.sensitivity, abs)
         yield (
-            f"At exact speeds 0.1 % of speed moves {percent(abs(worst) * 1e-3, 2)} of the load to "
-            "another drum: nothing gives way to run-out, wear or a splice."
+            f"At exact speeds 0.1 % of speed moves {percent(abs(worst) * 1e-3, 2)} of the load "
+            "to another drive: nothing yields to run-out, wear or a splice."
         )
     if result.softening:
         yield (
-            f"On {' and '.join(result.softening)} the friction falls with slip: past the peak a "
-            "vibration grows into gross slip, not into a lasting pulsation."
+            f"On {' and '.join(result.softening)} the friction falls with slip: past the peak "
+            "an oscillation grows into gross slip, not into a limit cycle."
         )
 
 
@@ -342,21 +358,25 @@ def _cost(answer: ControlAnswer) -> str:
 
 def _sensitivity_table(result: StabilityResult) -> Table:
     root = result.root
-    decay = "in less than 0.33 s" if math.isnan(root.real) else f"in {1.0 / abs(root.real):.3g} s"
+    decay = "below 0.33 s" if math.isnan(root.real) else f"{1.0 / abs(root.real):.3g} s"
     rows = [
         Row(
             "Share moved by 0.1 % of speed",
             (", ".join(percent(s * 1e-3) for s in result.sensitivity) or NONE,),
-            note="all other speeds and the outer tensions held",
+            note="all other speeds and the outer tensions constant",
+            name="share_sensitivity",
         ),
         Row(
-            "Least damped vibration",
-            (NONE if math.isnan(root.real) else f"{result.frequency:.3g} Hz",),
-            note=f"{'grows' if root.real > 0 else 'dies out'} e-fold {decay}",
+            "Vibration of minimum damping",
+            (NONE if math.isnan(root.real) else quantity(result.frequency, "frequency"),),
+            note=f"{'growth' if root.real > 0 else 'decay'} time constant {decay}",
+            name="frequency",
         ),
     ]
     rows += [
-        Row(f"Gain margin, {name}", (_times(margin),), note="all else as it is")
+        Row(
+            f"Gain margin, {name}", (_times(margin),), note="all else unchanged", name="gain_margin"
+        )
         for name, margin in zip(result.linear.station.names, result.gain_margins, strict=True)
         if not math.isnan(margin)
     ]
@@ -366,8 +386,12 @@ def _sensitivity_table(result: StabilityResult) -> Table:
 def _times(margin: float) -> str:
     """A gain margin in words."""
     if margin >= 1.0:
-        return "beyond a thousandfold" if math.isinf(margin) else f"{margin:.3g} times as high"
-    return f"must fall to {margin:.3g} times" if margin > 0.0 else NONE
+        return (
+            "over a thousandfold"
+            if math.isinf(margin)
+            else f"{bare(margin, 'number')} times as high"
+        )
+    return f"must fall to {bare(margin, 'number')} times" if margin > 0.0 else NONE
 
 
 def _controls_table(result: StabilityResult) -> Table:
@@ -375,7 +399,9 @@ def _controls_table(result: StabilityResult) -> Table:
         Row(
             c.name,
             (
-                "no" if c.stable else f"yes, {abs(c.root.imag) / (2.0 * math.pi):.3g} Hz",
+                "no"
+                if c.stable
+                else f"yes, {quantity(abs(c.root.imag) / (2.0 * math.pi), 'frequency')}",
                 percent(c.pull * result.run_out, 2),
                 percent(c.pull_third * result.run_out, 2),
                 percent(c.power_loss, 2),
@@ -383,5 +409,5 @@ def _controls_table(result: StabilityResult) -> Table:
         )
         for c in result.controls
     ]
-    heads = ("pulsates", "swing of pull, 1 a turn", "3 a turn", "power lost")
+    heads = ("oscillates", "Te ripple, 1 per revolution", "3 per revolution", "power lost")
     return Table("What other controls would make of it", tuple(rows), heads, name="controls")

@@ -2,11 +2,11 @@
 
 import numpy as np
 
-from wraparc.answer.shear_test_numbers import number
-from wraparc.answer.sheet import NONE, Row, Table
+from wraparc.answer.shear_test_numbers import rig_compliance
+from wraparc.answer.sheet import NONE, Row, Table, percent, quantity
 from wraparc.shear_test.analysis import ConditionResult
 from wraparc.shear_test.budget import Common
-from wraparc.units import in_unit, unit_of
+from wraparc.units import GIVEN_DIGITS
 
 _FROM = {
     "repeatability": "from the readings",
@@ -38,11 +38,10 @@ def budget_table(condition: ConditionResult, name: str) -> Table | None:
     ]
     none = [part for part, each in budget.parts.items() if not each[middle].any()]
     note = (
-        f"At {in_unit('pressure', lambda kpa: number(budget.pressure[middle] / kpa))} "
-        f"{unit_of('pressure')}. Standard uncertainties of peak "
-        "friction and peak slip, relative, and their shares of the variance; after the GUM (JCGM "
-        "100). Errors of what was measured with are common to all tests: repeats do not lessen "
-        "them."
+        f"At {quantity(budget.pressure[middle], 'pressure', GIVEN_DIGITS)}. Standard "
+        "uncertainties of peak friction and peak slip, relative, and their shares of the variance; "
+        "after the GUM (JCGM 100). Errors of what was measured with are common to all tests: "
+        "repeats do not lessen them."
     )
     note += f" Nothing is counted for: {', '.join(none)}." if none else ""
     heads = ("peak friction", "share", "peak slip", "share")
@@ -53,9 +52,9 @@ def _values(part: np.ndarray, combined: np.ndarray | None) -> tuple[str, ...]:
     """Friction and its share, slip and its share."""
     cells = []
     for k in (1, 0):
-        cells.append(f"{100.0 * part[k]:.2g} %" if part[k] > 0.0 else NONE)
+        cells.append(percent(part[k], 2) if part[k] > 0.0 else NONE)
         share = 0.0 if combined is None else float(part[k] / combined[k]) ** 2
-        cells.append(f"{100.0 * share:.0f} %" if share >= 0.005 else NONE)
+        cells.append(percent(share, 2) if share >= 0.005 else NONE)
     return tuple(cells)
 
 
@@ -67,10 +66,10 @@ def _origin(part: str, common: Common | None) -> str:
     if part.endswith("off the figure"):
         return "error of a point, a share of full scale"
     if part == "zero of the force":
-        return f"at most {of.zero:.3g} N, {stated}"
+        return f"at most {quantity(of.zero, 'force')}, {stated}"
     if part == "compliance of the rig":
         stated = "as stated" if of.compliance is not None else "assumed: the plan says nothing"
-        return f"at most {1e6 * common.compliance:.3g} mm/kN, {stated}"
+        return f"at most {rig_compliance(common.compliance)}, {stated}"
     if part.startswith("modulus"):
         error = of.shear_modulus if part.endswith("sample") else of.cover_shear_modulus
         stated = "as stated" if error is not None else "assumed: 5 Shore A"

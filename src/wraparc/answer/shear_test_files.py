@@ -3,10 +3,10 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from wraparc.answer.sheet import NONE, Row, Table, bare, headed, quantity
+from wraparc.answer.sheet import NONE, Row, Table, bare, headed, percent, quantity
 from wraparc.shear_test.analysis import ConditionResult, PlanResult, TestResult
 from wraparc.shear_test.speeds import per_minute
-from wraparc.units import GIVEN_DIGITS
+from wraparc.units import GIVEN_DIGITS, count
 
 #: More tests than this, of which the same is to be said, are counted instead of named.
 _FEW = 3
@@ -35,16 +35,16 @@ def files_table(condition: ConditionResult, name: str) -> Table:
             Row(
                 title=planned.label,
                 values=(
-                    str(record.rows),
-                    str(len(record.travel)),
-                    str(len(test.curve.travel)),
+                    count(record.rows),
+                    count(len(record.travel)),
+                    count(len(test.curve.travel)),
                     "measured" if record.normal_force is not None else "as set",
                     bare(test.fit.slip_max, "length"),
                     NONE if warm is None else quantity(warm, "temperature", GIVEN_DIGITS),
                     NONE if planned.speed is None else per_minute(planned.speed),
-                    NONE if planned.humidity is None else f"{100.0 * planned.humidity:.3g}",
+                    NONE if planned.humidity is None else percent(planned.humidity),
                     planned.date or NONE,
-                    NONE if planned.order is None else str(planned.order),
+                    NONE if planned.order is None else count(planned.order),
                     planned.sample or NONE,
                     planned.lot or NONE,
                     planned.operator or NONE,
@@ -53,13 +53,13 @@ def files_table(condition: ConditionResult, name: str) -> Table:
         )
     heads = (
         "rows",
-        "kept",
-        "of the pull",
+        "used",
+        "of the stroke",
         "normal force",
         headed("slip", "length"),
         "temperature",
         "speed",
-        "humidity [%]",
+        "humidity",
         "date",
         "order",
         "sample",
@@ -67,8 +67,8 @@ def files_table(condition: ConditionResult, name: str) -> Table:
         "operator",
     )
     note = (
-        "Rows of numbers in the file, those kept, and those of the pull that were fitted; largest "
-        "slip."
+        "Rows of numbers in the file, those used, and those of the stroke that were fitted; "
+        "maximum slip."
     )
     return without_empty(Table(f"Files{name}", tuple(rows), heads, note, "files"))
 

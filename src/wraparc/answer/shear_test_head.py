@@ -5,12 +5,13 @@ from collections.abc import Callable, Iterable, Sequence
 import numpy as np
 
 from wraparc.answer.inputs import in_slip
+from wraparc.answer.shear_test_numbers import rig_compliance
 from wraparc.answer.sheet import NONE, Row, Table
 from wraparc.shear_test.analysis import PlanResult
 from wraparc.shear_test.campaign import order_of
 from wraparc.shear_test.plan import PlannedTest, TestPlan
 from wraparc.shear_test.speeds import per_minute
-from wraparc.units import GIVEN_DIGITS, Dimension, distinct, quantity
+from wraparc.units import GIVEN_DIGITS, Dimension, count, distinct, percent, quantity
 
 NOT_STATED = "not stated"
 #: Who signs a test report.
@@ -74,7 +75,7 @@ def _asked_for(result: PlanResult) -> Iterable[tuple[str, str]]:
         )
     tests = [test.test for condition in result.conditions for test in condition.tests]
     thickness = plan.thickness
-    per_force = f"{rig.compliance * 1e6:.3g} mm/kN" if rig.compliance else ""
+    per_force = rig_compliance(rig.compliance) if rig.compliance else ""
     return (
         ("Specimen", plan.title or plan.name),
         ("Lot", _texts(tests, lambda t: t.lot)),
@@ -84,10 +85,10 @@ def _asked_for(result: PlanResult) -> Iterable[tuple[str, str]]:
         ("Order of the tests", _order(tests)),
         ("Operator", _texts(tests, lambda t: t.operator or rig.operator)),
         ("Temperature", _span([t.temperature for t in tests], "temperature")),
-        ("Humidity", _ends([t.humidity for t in tests], lambda share: f"{100.0 * share:.3g} %")),
+        ("Humidity", _ends([t.humidity for t in tests], percent)),
         ("Test speed", _speeds([t.speed for t in tests])),
         ("Area of a face", quantity(rig.area, "area", GIVEN_DIGITS)),
-        ("Faces that slide", str(rig.faces)),
+        ("Faces that slide", count(rig.faces)),
         (
             "Thickness that shears",
             "" if thickness is None else quantity(thickness, "length", GIVEN_DIGITS),
@@ -96,8 +97,8 @@ def _asked_for(result: PlanResult) -> Iterable[tuple[str, str]]:
         ("Rig", rig.name),
         ("Testing machine", rig.machine),
         ("Compliance of the rig", per_force),
-        ("Load cell, pull", rig.force_cell.device),
-        ("Calibration, pull", rig.force_cell.calibration),
+        ("Load cell, force", rig.force_cell.device),
+        ("Calibration, force", rig.force_cell.calibration),
         *_normal_force(result),
     )
 

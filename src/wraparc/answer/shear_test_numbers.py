@@ -1,44 +1,12 @@
-"""Numbers of a test report: three digits, and no more of an interval than fits the value."""
+"""Numbers of a test report."""
 
 import math
 
 from wraparc.answer.sheet import NONE
+from wraparc.units import bare, either, plus_minus, unit_factor
 
-_DIGITS, _MOST_DIGITS = 3, 4
 # A number this much smaller than what it is set against is rounding of the fit.
 _NOTHING = 1e-6
-
-
-def number(value: float, digits: int = 4) -> str:
-    """Return a number with so many significant digits."""
-    return f"{value:.{digits}g}"
-
-
-def with_error(value: float, error: float) -> str:
-    """Return ``value ± error``: the value to three digits, the error to the same place.
-
-    Where the error is less than one of that place, both get a fourth digit; an error below
-    even that is said to be below it. No error is shown that is none (0, or not finite).
-
-    Parameters
-    ----------
-    value
-        The value.
-    error
-        Half its 95 % interval.
-    """
-    if not math.isfinite(error) or error <= 0.0:
-        return number(value, _DIGITS)
-    if error >= abs(value):  # not known, not even its sign
-        return f"{value:.2g} \u00b1 {error:.2g}"
-    first = math.floor(math.log10(abs(value)))
-    own = 1 - math.floor(math.log10(error))
-    places = max(0, min(own, _DIGITS - 1 - first))
-    if error < 0.5 * 10.0**-places:
-        places = max(0, _MOST_DIGITS - 1 - first)
-    least = 10.0**-places
-    shown = f"{error:.{places}f}" if error >= 0.5 * least else f"< {least:.{places}f}"
-    return f"{value:.{places}f} \u00b1 {shown}"
 
 
 def slope(value: float, error: float, scale: float) -> str:
@@ -47,10 +15,18 @@ def slope(value: float, error: float, scale: float) -> str:
     Parameters
     ----------
     value, error
-        Of the slope.
+        Of the slope [1/m].
     scale
-        A slope that would be noticed, in the same unit.
+        A slope that would be noticed [1/m].
     """
     if not math.isfinite(value):
         return NONE
-    return "0" if abs(value) < _NOTHING * scale else with_error(value, error)
+    if abs(value) < _NOTHING * scale:
+        return bare(0.0, "per_length")
+    return plus_minus(value, error, "per_length")
+
+
+def rig_compliance(compliance: float) -> str:
+    """Return a compliance of a rig [m/N] as it is read in each system of units."""
+    us = compliance * 1e3 * unit_factor("lbf", "force") / unit_factor("in", "length")
+    return either(f"{1e6 * compliance:.3g} mm/kN", f"{us:.3g} in/klbf")

@@ -4,7 +4,6 @@ import math
 
 import numpy as np
 
-from wraparc.answer.shear_test_numbers import with_error
 from wraparc.answer.sheet import NONE, Row, Table, headed
 from wraparc.shear_test.alternatives import alternative_laws
 from wraparc.shear_test.analysis import ConditionResult
@@ -15,7 +14,7 @@ from wraparc.shear_test.standard_values import (
     law_at_slips,
     standard_values,
 )
-from wraparc.units import in_unit, unit_of
+from wraparc.units import bare, count, fixed, plus_minus, quantity, unit_of
 
 _DEVIATION = "s: standard deviation between tests."
 
@@ -43,13 +42,13 @@ def _law_table(condition: ConditionResult, name: str) -> Table:
         cells = [
             f"[{text}]" if slip > reached else text
             for slip, text in zip(
-                STANDARD_SLIPS, map(with_error, friction, np.nan_to_num(expanded)), strict=True
+                STANDARD_SLIPS, map(plus_minus, friction, np.nan_to_num(expanded)), strict=True
             )
         ]
         rows.append(Row(_pressure(found.level_pressures()[k]), tuple(cells)))
     note = (
         f"First column: pressure [{unit_of('pressure')}]. \u00b1: expanded uncertainty, every part "
-        "of the budget included. In brackets: beyond the slip of the tests."
+        "of the budget included. In brackets: outside the slip of the tests."
     )
     heads = tuple(map(_slip, STANDARD_SLIPS))
     title, some = f"Law at standard slips{name}", {0, len(rows) // 2, len(rows) - 1}
@@ -67,8 +66,8 @@ def _static_table(values: tuple[StandardValues, ...], name: str) -> Table:
             Row(
                 title=_pressure(of.pressure),
                 values=(
-                    str(of.tests),
-                    f"> {of.static.mean:.3f}" if of.rising == of.tests else _mean(of.static),
+                    count(of.tests),
+                    f"> {fixed(of.static.mean, 3)}" if of.rising == of.tests else _mean(of.static),
                     _deviation(of.static),
                     _mean(of.kinetic),
                     _deviation(of.kinetic),
@@ -91,11 +90,11 @@ def _static_table(values: tuple[StandardValues, ...], name: str) -> Table:
 def _slips_table(values: tuple[StandardValues, ...], name: str) -> Table:
     rows = []
     for of in values:
-        cells = [str(of.tests)]
+        cells = [count(of.tests)]
         for known, law in zip(of.at_slip, of.beyond, strict=True):
             fewer = f" ({known.count})" if 0 < known.count < of.tests else ""
             cells += [
-                f"[{law:.3f}]" if not known.count else f"{_mean(known)}{fewer}",
+                f"[{fixed(law, 3)}]" if not known.count else f"{_mean(known)}{fewer}",
                 _deviation(known),
             ]
         rows.append(Row(_pressure(of.pressure), tuple(cells)))
@@ -111,25 +110,25 @@ def _slips_table(values: tuple[StandardValues, ...], name: str) -> Table:
 
 
 def _pressure(pressure: float) -> str:
-    return in_unit("pressure", lambda kpa: f"{pressure / kpa:.4g}")
+    return bare(pressure, "pressure")
 
 
 def _slip(slip: float) -> str:
-    return f"{in_unit('length', lambda mm: f'{slip / mm:.3g}')} {unit_of('length')}"
+    return quantity(slip, "length")
 
 
 def _slips(first: float, last: float) -> str:
     if math.isnan(first):
         return NONE
-    return in_unit("length", lambda mm: f"{first / mm:.3g} to {last / mm:.3g}")
+    return f"{bare(first, 'length')} to {bare(last, 'length')}"
 
 
 def _mean(of: Statistic) -> str:
-    return NONE if math.isnan(of.mean) else f"{of.mean:.3f}"
+    return fixed(of.mean, 3)
 
 
 def _deviation(of: Statistic) -> str:
-    return NONE if math.isnan(of.deviation) else f"{of.deviation:.2g}"
+    return bare(of.deviation, "number", 2)
 
 
 def laws_table(condition: ConditionResult, name: str) -> Table:
@@ -139,10 +138,10 @@ def laws_table(condition: ConditionResult, name: str) -> Table:
         Row(
             law.name,
             (
-                str(law.parameters),
-                f"{law.remainder:.2g}",
-                _difference(law.criterion - laws[0].criterion),
-                str(law.best_of),
+                count(law.parameters),
+                bare(law.remainder, "number", 2),
+                fixed(law.criterion - laws[0].criterion, 1),
+                count(law.best_of),
             ),
         )
         for law in laws
@@ -151,12 +150,8 @@ def laws_table(condition: ConditionResult, name: str) -> Table:
         "Every law fitted to the same readings of every test, with a lash and a noise of its own. "
         "Parameters of a test; root mean square of what is left over; difference of Akaike's "
         "criterion (AICc) to the best law, summed over the tests: 10 and more speak clearly "
-        "against a law; tests that the law describes best. The lagging file holds the integral-log "
-        "law whatever this table says."
+        "against a law; tests that the law describes best. The lagging file contains the "
+        "integral-log law whatever this table says."
     )
     heads = ("parameters", "remainder", "AICc", f"best of {len(condition.tests)}")
     return Table(f"Laws side by side{name}", rows, heads, note, "laws")
-
-
-def _difference(of: float) -> str:
-    return f"{of:.1f}" if of < 100.0 else f"{of:.0f}"

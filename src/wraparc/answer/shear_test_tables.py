@@ -1,7 +1,7 @@
 """Tables of a fitted test plan, for console, page and paper alike."""
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -15,7 +15,7 @@ from wraparc.answer.shear_test_files import (
     without_empty,
 )
 from wraparc.answer.shear_test_head import circumstances_table
-from wraparc.answer.shear_test_numbers import number, slope, with_error
+from wraparc.answer.shear_test_numbers import slope
 from wraparc.answer.shear_test_standard import laws_table, standard_tables
 from wraparc.answer.sheet import NONE, Also, Row, Sheet, Table, Verdict, named
 from wraparc.checks import Level
@@ -28,7 +28,16 @@ from wraparc.shear_test.derivative import derivative_check
 from wraparc.shear_test.misfit import OTHER_PRESSURE, noise_levels
 from wraparc.shear_test.pressure_form import equations
 from wraparc.shear_test.sentences import form_sentences
-from wraparc.units import in_unit, quantity, unit_of
+from wraparc.units import (
+    GIVEN_DIGITS,
+    bare,
+    count,
+    fixed,
+    percent,
+    plus_minus,
+    quantity,
+    unit_of,
+)
 
 
 def plan_sheet(result: PlanResult, *, laws: bool = False) -> Sheet:
@@ -116,7 +125,7 @@ def verdict(result: PlanResult) -> Verdict:
     if misfit:
         action = Action("Repeat or leave out these tests, and fit again.")
         return Verdict(Level.ATTENTION, _rejected(result), shown, action=action, name="fit")
-    text = f"Fit accepted: {total} of {total} tests, largest deviation {_deviation(result)[0]}."
+    text = f"Fit accepted: {total} of {total} tests, maximum deviation {_deviation(result)[0]}."
     unsure = any(NOT_STATED in condition.remarks for condition in result.conditions)
     order = Also(Level.OK, "Test order missing: wear during the tests is not detectable.")
     return Verdict(
@@ -167,7 +176,7 @@ def _remainders(result: PlanResult) -> str:
     swings = [test.curve.swing for test in tests if test.curve.swing is not None]
     widest = max(swings, default=None)
     stick_slip = (
-        f" Stick-slip swings friction by up to {100 * widest.size:.0f} %, every "
+        f" Stick-slip varies friction by up to {100 * widest.size:.0f} %, every "
         f"{quantity(widest.period, 'length', 2)}."
         if widest
         else ""
@@ -229,8 +238,8 @@ def curves_table(condition: ConditionResult, name: str) -> Table:
         for k, test in enumerate(condition.tests)
     )
     note = (
-        "Each curve by itself; \u00b1 is half the 95 % interval. A peak slip in brackets lies "
-        "beyond the tested slip; if the curve hardly determines it, its ends are from the profile "
+        "Each curve by itself; \u00b1 is half the 95 % interval. A peak slip in brackets is "
+        "outside the tested slip; if the curve hardly determines it, its ends are from the profile "
         "of the likelihood (? if it has no upper end). A curve that its law does not describe has "
         "no interval. Noise: standard deviation of one reading of friction."
     )
@@ -239,31 +248,32 @@ def curves_table(condition: ConditionResult, name: str) -> Table:
 
 def _curve_values(test: TestResult) -> tuple[str, ...]:
     fit, q, spread = test.fit, test.fit.parameters, _spread(test)
-    lash = in_unit("length", lambda mm: f"{q.lash / mm:.3g} (held)")
+    lash = f"{bare(q.lash, 'length')} (fixed)"
     if "lash" in fit.free:
-        lash = _length(q.lash, spread * fit.error("lash"))
-    peak = with_error(q.peak_friction, spread * fit.error("ln_peak_friction") * q.peak_friction)
+        lash = plus_minus(q.lash, spread * fit.error("lash"), "length")
+    peak = plus_minus(q.peak_friction, spread * fit.error("ln_peak_friction") * q.peak_friction)
     if fit.held.peak_friction is not None:
-        peak = f"{q.peak_friction:.3g} (held)"
+        peak = f"{bare(q.peak_friction, 'number')} (fixed)"
     return (
         _pressure(test.curve.pressure),
-        in_unit("length", lambda mm: _peak_slip(test, mm)),
+        _peak_slip(test),
         peak,
         lash,
-        f"{fit.r_squared:.4f}",
-        f"{test.curve.noise:.4f}",
+        fixed(fit.r_squared, 4),
+        fixed(test.curve.noise, 4),
     )
 
 
-def _peak_slip(test: TestResult, size: float) -> str:
+def _peak_slip(test: TestResult) -> str:
     """Peak slip with its interval; in brackets where it is extrapolated."""
-    fit, x = test.fit, test.fit.parameters.peak_slip / size
+    fit, x = test.fit, test.fit.parameters.peak_slip
     if fit.held.peak_slip is not None:
-        return f"{x:.3g} (held)"
+        return f"{bare(x, 'length')} (fixed)"
     if _spread(test) and test.is_skewed:
-        low, high = (end / size for end in test.peak_slip_interval)
-        return f"({x:.3g}, {low:.3g} to {'?' if math.isinf(high) else f'{high:.3g}'})"
-    text = with_error(x, _spread(test) * fit.error("ln_peak_slip") * x)
+        low, high = test.peak_slip_interval
+        end = "?" if math.isinf(high) else bare(high, "length")
+        return f"({bare(x, 'length')}, {bare(low, 'length')} to {end})"
+    text = plus_minus(x, _spread(test) * fit.error("ln_peak_slip") * x, "length")
     return text if fit.peak_inside else f"({text})"
 
 
@@ -287,18 +297,18 @@ def coefficients_table(condition: ConditionResult, name: str) -> Table:
             spread * fit.error("post_peak_slope"),
             q.peak_friction / q.peak_slip,
         )
-        level = with_error(q.residual_friction, spread * fit.error("residual_friction"))
+        level = plus_minus(q.residual_friction, spread * fit.error("residual_friction"))
         check = derivative_check(fit)
         rows.append(
             Row(
                 title=test.test.label,
                 values=(
-                    with_error(a, spread * by_a),
-                    with_error(b, spread * by_b),
-                    _slope(*of) if "post_peak_slope" in fit.free else NONE,
+                    plus_minus(a, spread * by_a),
+                    plus_minus(b, spread * by_b),
+                    slope(*of) if "post_peak_slope" in fit.free else NONE,
                     level if "residual_friction" in fit.free else NONE,
-                    number(check.a, 3) if check else NONE,
-                    number(check.b, 3) if check else NONE,
+                    bare(check.a, "number") if check else NONE,
+                    bare(check.b, "number") if check else NONE,
                 ),
             )
         )
@@ -332,12 +342,12 @@ def law_table(condition: ConditionResult, name: str) -> Table:
             Row(
                 title=_pressure(pressure),
                 values=(
-                    _length(float(slip[k]), float(error[k, 0] * slip[k])),
-                    with_error(friction[k], error[k, 1] * friction[k]),
-                    number(a),
-                    number(b),
-                    _slope(slopes[k], 0.0, friction[k] / slip[k]) if falls else NONE,
-                    f"{ratio[k] * friction[k]:.3f}" if falls else NONE,
+                    plus_minus(slip[k], error[k, 0] * slip[k], "length"),
+                    plus_minus(friction[k], error[k, 1] * friction[k]),
+                    bare(a, "number", GIVEN_DIGITS),
+                    bare(b, "number", GIVEN_DIGITS),
+                    slope(slopes[k], 0.0, friction[k] / slip[k]) if falls else NONE,
+                    fixed(ratio[k] * friction[k], 3) if falls else NONE,
                 ),
             )
         )
@@ -351,7 +361,7 @@ def law_table(condition: ConditionResult, name: str) -> Table:
     )
     note = (
         f"First column: {_pressure_head()}. \u00b1 is half the 95 % interval of the law, "
-        "every part of the budget included. A and b hold for slip in mm."
+        "every part of the budget included. A and b are for slip in mm."
     )
     return without_empty(Table(f"Law of all tests{name}", tuple(rows), heads, note, "law"))
 
@@ -364,9 +374,9 @@ def forms_table(condition: ConditionResult, name: str) -> Table:
         Row(
             title=str(item.form),
             values=(
-                str(item.parameters),
-                f"{item.criterion - choice.candidates[0].criterion:.1f}",
-                NONE if math.isnan(item.left_out_error) else f"{100 * item.left_out_error:.2g} %",
+                count(item.parameters),
+                fixed(item.criterion - choice.candidates[0].criterion, 1),
+                percent(item.left_out_error, 2),
             ),
             note="chosen" if item.form == fit.form else "",
         )
@@ -385,7 +395,7 @@ def prediction_table(condition: ConditionResult, name: str) -> Table:
     rows = tuple(
         Row(
             title=_pressure(item.pressure),
-            values=(f"{item.error:.4f}", f"{item.noise_levels:.2f}", f"{item.scatter:.4f}"),
+            values=(fixed(item.error, 4), fixed(item.noise_levels, 2), fixed(item.scatter, 4)),
             note="" if item.inside else "outside the others: extrapolated",
         )
         for item in condition.found.left_out
@@ -411,9 +421,9 @@ def shear_table(condition: ConditionResult, name: str) -> Table:
             Row(
                 title=test.test.label,
                 values=(
-                    _bent(test.curve.bending * _top(test)),
-                    *(_bent(fit.parameters.peak_slip, number) for fit in both),
-                    *(f"{fit.parameters.peak_friction:.3f}" for fit in both),
+                    fixed(test.curve.bending * _top(test), 3, dimension="length"),
+                    *(bare(fit.parameters.peak_slip, "length", GIVEN_DIGITS) for fit in both),
+                    *(fixed(fit.parameters.peak_friction, 3) for fit in both),
                 ),
             )
         )
@@ -424,24 +434,12 @@ def shear_table(condition: ConditionResult, name: str) -> Table:
         "peak friction, off",
         "left in",
     )
-    note = "Shear of sample and rig at the largest force; peaks with it taken off and left in."
+    note = "Shear of sample and rig at maximum force; peaks with it taken off and left in."
     return Table(f"The sample's own shear{name}", tuple(rows), heads, note, "shear")
 
 
 def _pressure(pressure: float) -> str:
-    return in_unit("pressure", lambda kpa: number(pressure / kpa))
-
-
-def _length(value: float, error: float) -> str:
-    return in_unit("length", lambda mm: with_error(value / mm, error / mm))
-
-
-def _slope(*of: float) -> str:
-    return in_unit("length", lambda mm: slope(*(part * mm for part in of)))
-
-
-def _bent(length: float, shown: Callable[[float], str] = "{:.3f}".format) -> str:
-    return in_unit("length", lambda mm: shown(length / mm))
+    return bare(pressure, "pressure")
 
 
 def _top(test: TestResult) -> float:

@@ -10,6 +10,7 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
+from wraparc.answer.key_figures import key_figures
 from wraparc.answer.sheet import NONE, Row, Sheet, Table
 from wraparc.checks import Level
 
@@ -37,6 +38,8 @@ class _Pick:
         Whether its rows that ask for attention are among the checks, and are no news here.
     explained
         Whether its own note is said.
+    key
+        Whether its rows of key figures are shown.
     """
 
     rows: tuple[str, ...] = ()
@@ -46,6 +49,7 @@ class _Pick:
     noted: bool = True
     judged: bool = False
     explained: bool = False
+    key: bool = False
 
 
 #: By name, the tables that a short answer shows, in the order of their sheet.
@@ -58,8 +62,9 @@ _PICKED: dict[str, _Pick] = {
         rows=("share", "effective", "motor_load", "speed_trim", "exit_c"), alone=True, noted=False
     ),
     "width": _Pick(rows=("largest_running", "energy_un", "Not")),
-    "result": _Pick(rows=("peak_shear_stress",), judged=True),
-    "energy": _Pick(rows=("power_loss",)),
+    "result": _Pick(judged=True, key=True),
+    "capacity": _Pick(key=True),
+    "energy": _Pick(key=True),
     "life": _Pick(rows=("Life",)),
     # questions about it
     "trim": _Pick(),
@@ -76,7 +81,7 @@ _PICKED: dict[str, _Pick] = {
     "values": _Pick(),
     "ranking": _Pick(most=6, explained=True),
     "rejected": _Pick(most=4),
-    "drums": _Pick(rows=("Largest pull", "Largest torque", "Largest creep", "Time", "Friction w")),
+    "drums": _Pick(rows=("Peak Te", "Peak torque", "Peak creep", "Time", "Friction w")),
     "vibrations": _Pick(),
     "controls": _Pick(),
     "estimates": _Pick(),
@@ -98,7 +103,7 @@ _PICKED: dict[str, _Pick] = {
 #: What is shown of tables that are not picked, and of one without a name: it is all that there is.
 _NOTHING, _WHOLE = _Pick(tables=0), _Pick(most=100, tables=100, explained=True)
 #: Tables that go on with the one before, where both have the same columns.
-_GO_ON = ("energy", "life")
+_GO_ON = ("capacity", "energy", "life")
 
 
 def short_sheet(sheet: Sheet, table_hint: str = "", rest: str = "") -> Sheet:
@@ -166,11 +171,13 @@ def short_sheet(sheet: Sheet, table_hint: str = "", rest: str = "") -> Sheet:
 
 def _wanted(table: Table, pick: _Pick) -> list[Row]:
     """Return the rows that a pick names, and those that ask for attention."""
+    names = {figure.name for figure in key_figures("short")} if pick.key else set()
+    every = not pick.rows and not pick.key
     return [
         row
         for row in table.rows
-        if not pick.rows or (_bad(row) and not pick.judged) or row.name.startswith(pick.rows)
-        or row.title.startswith(pick.rows)
+        if every or (_bad(row) and not pick.judged) or row.name in names
+        or row.name.startswith(pick.rows) or row.title.startswith(pick.rows)
     ]  # fmt: skip
 
 

@@ -19,7 +19,7 @@ class Sources:
             kind = "" if provenance.kind is Kind.GIVEN else str(provenance.kind)
         else:
             number = self._numbers.setdefault(origin, len(self._numbers) + 1)
-            kind = f"{provenance.kind} [{number}]"
+            kind = f"{provenance.kind_text} [{number}]"
         return ", ".join(part for part in (kind, provenance.note) if part)
 
     def number(self, text: str) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from typing import Any
 
 from wraparc.alike import ALIKE
 from wraparc.answer.sheet import (
@@ -27,7 +28,7 @@ from wraparc.study.fields import Called, names_of
 from wraparc.study.monte_carlo import PERCENTS, Group, Summary, over_conditions
 from wraparc.study.sensitivity import Global, Local, Swing
 from wraparc.study.share import CONFIDENCE, Share
-from wraparc.units import Dimension
+from wraparc.units import Dimension, bare, fixed
 
 #: Results that a table of groups shows the percentiles of.
 _SHOWN = ("exit_creep", "least_exit_tension", "creep_limit_margin", "peak_shear_stress")
@@ -75,8 +76,13 @@ def study_sheet(
         tables=tuple(tables),
         remarks=said,
         sources=tuple(sources),
-        kept=(*said, *(() if told.label else weak_sources(sources))),
+        kept=(*said, *(weak_sources(sources) if _varies_lagging(data) else ())),
     )
+
+
+def _varies_lagging(data: Mapping[str, Any]) -> bool:
+    """Return whether designs differ by lagging: the data line is that of the drive as it is."""
+    return any(name.endswith(".lagging") for name in data["levels"])
 
 
 def _group_tables(summary: Summary, units: Mapping[str, Dimension | None]) -> Iterator[Table]:
@@ -131,7 +137,7 @@ def _chances(title: str, groups: Sequence[Group], units: Mapping[str, Dimension 
             cells += [number(name, value) for value in of[1:3]]
         rows.append(Row(group_name(group, units) or "all", tuple(cells)))
     lacking = any(math.isinf(v) for g in groups for n in outputs for v in g.percentiles[n][1:3])
-    note = "without bound: so many draws have none within the tested pressures" if lacking else ""
+    note = "infinite: so many draws have none within the tested pressures" if lacking else ""
     more = len(groups) - len(rows)
     note += f"; {more} more in the file" if more > 0 else ""
     return Table(title, tuple(rows), tuple(heads), note, "groups")
@@ -139,7 +145,7 @@ def _chances(title: str, groups: Sequence[Group], units: Mapping[str, Dimension 
 
 def _with_interval(share: Share) -> str:
     low, high = share.interval
-    return f"{percent(share.value)} [{100 * low:.3g}-{100 * high:.3g}]"
+    return f"{percent(share.value)} [{bare(100 * low, 'number')}-{bare(100 * high, 'number')}]"
 
 
 def _values(title: str, groups: Sequence[Group], units: Mapping[str, Dimension | None]) -> Table:
@@ -189,7 +195,7 @@ def _convergence(summary: Summary, units: Mapping[str, Dimension | None]) -> Tab
     where = ", ".join(part for part in parts if part)
     heads = ("breakaway", f"creep over limit [{CONFIDENCE:.0%} interval]")
     return Table(
-        f"Convergence where it is least certain ({where})", tuple(rows), heads, name="convergence"
+        f"Convergence where it is most uncertain ({where})", tuple(rows), heads, name="convergence"
     )
 
 
@@ -201,7 +207,7 @@ def _index_tables(indices: Global, called: Called) -> Iterator[Table]:
             spread = named(name, found.deviation)
             if not found.inputs:
                 lost = f"{found.lost:,} of {found.samples:,} draws lack the result"
-                note = f"no indices: {lost}; ask for creep_limit_margin, which breakaways have too"
+                note = f"no indices: {lost}; use creep_limit_margin, which gross slip has too"
                 rows = [Row("none", (NONE, NONE))]
                 yield Table(title, tuple(rows), ("alone", "with others"), note, "indices")
                 continue
@@ -223,7 +229,7 @@ def _index_tables(indices: Global, called: Called) -> Iterator[Table]:
 
 
 def _index(value: float, interval: tuple[float, float]) -> str:
-    return f"{value:.3f} [{interval[0]:.3f} to {interval[1]:.3f}]"
+    return f"{fixed(value, 3)} [{fixed(interval[0], 3)} to {fixed(interval[1], 3)}]"
 
 
 def _tornado_tables(
@@ -267,7 +273,7 @@ def _range(swing: Swing, units: Mapping[str, Dimension | None]) -> str:
 def _remarks(summary: Summary) -> Iterator[str]:
     data = summary.data
     if not summary.groups:
-        yield "Too many combinations to tell apart here: read the file, pandas.read_parquet(...)."
+        yield "Too many combinations to list here: read the file, pandas.read_parquet(...)."
     shares = [
         (g.percentiles["outside_tested_share"][2], g)
         for g in summary.groups

@@ -81,8 +81,6 @@ def verdict(summary: Summary, indices: Global | None = None) -> Verdict:
     ground = summary.data.get("ground", "") if level is Level.OK else ""
     if left:
         sentences.append(f"Rows leave out {' and '.join(left)}, which `wraparc solve` checks.")
-    if level is Level.OK:
-        ground = ground or ", ".join(f"without {what}" for what in left)
     label = f"{level}, {ground}" if ground else ""
     return Verdict(
         level,
@@ -91,6 +89,7 @@ def verdict(summary: Summary, indices: Global | None = None) -> Verdict:
         label,
         action=_first_input(summary, indices) if level is not Level.OK else None,
         also=tuple(Also(level, text) for text in also),
+        data=summary.data.get("data_line", ""),
         name="study",
     )
 
@@ -223,7 +222,7 @@ def varied_table(data: Mapping[str, Any]) -> Iterator[Table]:
     ]
     if rows:
         heads = ("field of the drive file", "values")
-        yield Table("What is varied", tuple(rows), heads, name="varied")
+        yield Table("Variables", tuple(rows), heads, name="varied")
 
 
 def _spread(axis: Mapping[str, Any]) -> str:

@@ -39,7 +39,7 @@ def _case(train: Train, case: TrainCase) -> Iterator[Input]:
     yield Input(group, "Tension at the first entry", case.entry_tension, "force", "T1")
     yield Input(group, "Tension at the last exit", case.exit_tension, "force", "T2")
     pull = case.effective_tension
-    yield Input(group, "Pull of all drives", pull, "force", "Te", None, "T1 - T2, less the runs")
+    yield Input(group, "Te of all drives", pull, "force", "Te", None, "T1 - T2, less the runs")
     for pulley, run in zip(train.pulleys[1:], case.runs, strict=False):
         yield Input(group, f"Rise of tension before {pulley.name}", run, "force", "dT")
     yield Input(group, "Load divided", _division(case))
@@ -50,10 +50,10 @@ def _division(case: TrainCase) -> str:
         case Shares(fractions):
             return "shares " + ", ".join(f"{100.0 * share:.4g} %" for share in fractions)
         case Pulls():
-            return "by given pulls"
+            return "by input Te"
         case Speeds(speeds):
             ratios = ", ".join(f"{100.0 * speed / speeds[0]:.5g} %" for speed in speeds)
-            return f"by given drum speeds, {ratios} of the first"
+            return f"by input pulley speeds, {ratios} of the first"
         case _:
             return "by the motors"
 

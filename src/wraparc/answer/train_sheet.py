@@ -4,9 +4,10 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from math import isnan
 
-from wraparc.answer.drive_sheet import drive_sheet, read_sheet
+from wraparc.answer.drive_sheet import drive_sheet, read_sheet, with_sides
 from wraparc.answer.input_tables import input_tables
 from wraparc.answer.inputs import drive_inputs
+from wraparc.answer.key_figures import figure_of, key_figures
 from wraparc.answer.sheet import (
     NONE,
     Row,
@@ -34,7 +35,7 @@ from wraparc.train import (
     TrainResult,
     TrainStatus,
 )
-from wraparc.units import GIVEN_DIGITS, RESULT_DIGITS
+from wraparc.units import GIVEN_DIGITS, RESULT_DIGITS, fixed
 
 Cell = Callable[[MemberResult], str]
 Number = Callable[[MemberResult], float]
@@ -47,6 +48,7 @@ def train_sheet(
     pulleys: Sequence[DriveResult] = (),
     *,
     search: bool = True,
+    of: Sources | None = None,
 ) -> Sheet:
     """Return everything to show of a solved train.
 
@@ -60,11 +62,14 @@ def train_sheet(
         Its pulleys by one method or several; as in the train unless given.
     search
         Whether changes of the drive are tried for the action.
+    of
+        Takes the sources, where more refers to them than the sheet.
     """
-    arcs = drive_sheet(list(pulleys) or [result.drive_result()], detail, result)
+    results = list(pulleys) or [result.drive_result()]
+    arcs = drive_sheet(results, detail, result, of)
     checks = 1 + bool(least_tension(result)) + bool(result.train.conditions)
     tables = (*arcs.tables[:checks], *train_tables(result), *arcs.tables[checks:])
-    verdict = train_verdict(result, search=search)
+    verdict = with_sides(train_verdict(result, search=search), results)
     return replace(arcs, verdict=verdict, tables=tables)
 
 
@@ -117,14 +122,31 @@ def case_table(case: CaseResult) -> Table:
         small("drum_ratio", lambda m: m.drum_ratio - 1.0, "exactly, for equal diameters"),
         known("rotation_speed", lambda m: m.rotation_speed, 6),
         row("speed_trim", lambda m: trim_text(m.speed_trim), "what a speed control is set to"),
-        _creep_row(case),
+        *[_key_row(case, f.name) for f in key_figures("drives") if _has_key_row(members, f.name)],
+        _sensitivity_row(case),
     ]
-    if not all(isnan(m.arc.capacities.creep_limit_margin) for m in members):
-        rows.append(told("creep_limit_margin", lambda m: m.arc.capacities.creep_limit_margin))
-    rows.append(row("power_loss", _lost, _loss_note(case)))
-    rows.append(_sensitivity_row(case))
     note = _precision(case) if case.status is TrainStatus.SOLVED else case.reason
     return Table(f"Drives: load case {case.case.name}", tuple(rows), _names(case), note, "drives")
+
+
+def _has_key_row(members: Sequence[MemberResult], name: str) -> bool:
+    """Whether a key figure is a row of its own: tensions stand above, a margin may be unknown."""
+    if name in ("entry_tension", "exit_tension", "effective_tension"):
+        return False
+    searched = name == "creep_limit_margin"
+    return not (searched and all(isnan(figure_of(m.arc, name)) for m in members))
+
+
+def _key_row(case: CaseResult, name: str) -> Row:
+    """Return the row of a key figure of the drives."""
+    if name == "exit_creep":
+        return _creep_row(case)
+    entry, members = term(name), case.members
+    if name == "power_loss":
+        texts = tuple(_lost(m) for m in members)
+        return Row(entry.title, texts, entry.symbol, _loss_note(case), name)
+    values = tuple(named(name, figure_of(m.arc, name)) for m in members)
+    return Row(entry.title, values, entry.symbol, name=name)
 
 
 def _share(m: MemberResult) -> str:
@@ -193,15 +215,12 @@ def _motor_extras(points: Sequence[MotorPoint]) -> list[str]:
 
 def signed(ratio: float) -> str:
     """Return a small ratio as percent with its sign: ``-0.3121 %``."""
-    if isnan(ratio):
-        return NONE
-    text = f"{100.0 * ratio:+.4f} %"
-    return "0" if text in ("+0.0000 %", "-0.0000 %") else text
+    return fixed(ratio, 4, "percent signed")
 
 
 def trim_text(trim: float) -> str:
     """Return a trim as percent of nominal: ``99.655 %``."""
-    return NONE if isnan(trim) else f"{100.0 * trim:.3f} %"
+    return fixed(trim, 3, "percent fixed")
 
 
 def _creep_row(case: CaseResult) -> Row:
@@ -251,7 +270,7 @@ def matching_sheet(result: TrainResult, matching: Matching) -> Sheet:
             trim_text,
         ),
         _curve_table(
-            "diameter", "Against diameter, drums turning as before", matching.diameter, trim_text
+            "diameter", "Against diameter, pulleys turning as before", matching.diameter, trim_text
         ),
         _curve_table(
             "load", "Against load, speeds and take-up as they are", matching.load, percent
@@ -268,7 +287,12 @@ def _curve_table(name: str, title: str, curve: ShareCurve, text: Callable[[float
     """Where something happens along a curve."""
     names = [m.name for m in curve.case.members]
     rows = tuple(
-        Row(f"{names[mark.drive]} {mark.kind}", (text(mark.value),), note=_place(mark))
+        Row(
+            f"{names[mark.drive]} {mark.kind}",
+            (text(mark.value),),
+            note=_place(mark),
+            name=mark.kind.name.lower(),
+        )
         for mark in curve.marks
     )
     low, high = text(float(curve.values[0])), text(float(curve.values[-1]))
@@ -293,9 +317,9 @@ def _changes_table(matching: Matching) -> Table:
         note = change.after.reason
         rows.append(Row(what, shares, note=note))
     before = tuple(percent(m.share) for m in matching.case.members)
-    rows.insert(0, Row("as it is", before))
+    rows.insert(0, Row("now", before))
     return Table(
-        "Shares when one drum changes, speeds held",
+        "Shares when one pulley changes, speeds constant",
         tuple(rows),
         _names(matching.case),
         name="changed",

@@ -105,12 +105,12 @@ def _motor_losses(case: CaseResult) -> Iterator[str]:
         return
     electrical = sum(p.electrical_power for p in points)
     if isnan(electrical):
-        tail = "; what the motors themselves lose is not told without their motor_efficiency"
+        tail = "; motor losses need motor_efficiency"
     else:
         mains = named("electrical_power", electrical)
         tail = f"; the motors take {mains} from the mains"
     are = "is" if len(parts) == 1 else "are"
-    yield f"Between mains and drums {', '.join(parts)} {are} lost{tail}."
+    yield f"Between mains and pulleys {', '.join(parts)} {are} lost{tail}."
 
 
 def short_sentences(case: CaseResult) -> Iterator[str]:
@@ -127,9 +127,9 @@ def _shares(case: CaseResult) -> str:
         pulls = ", ".join(
             f"{m.name} {named('effective_tension', m.arc.effective_tension)}" for m in case.members
         )
-        return f"nothing is shared; the drives pull {pulls}"
+        return f"nothing is shared; the Te of the drives is {pulls}"
     return ", ".join(
-        f"{m.name} is not driven" if idle(m.arc.arc) else f"{m.name} carries {percent(m.share)}"
+        f"{m.name} is not driven" if idle(m.arc.arc) else f"{m.name} takes {percent(m.share)}"
         for m in case.members
     )
 
@@ -142,8 +142,8 @@ def _fight(case: CaseResult) -> str:
     drive = "drives" if len(forward) == 1 else "drive"
     brake = "brakes" if len(back) == 1 else "brake"
     return (
-        f"The drives fight: {' and '.join(forward)} {drive} while {' and '.join(back)} "
-        f"{brake}, {named('effective_tension', lost)} of pull against each other."
+        f"The drives oppose each other: {' and '.join(forward)} {drive} while {' and '.join(back)} "
+        f"{brake}, by {named('effective_tension', lost)}."
     )
 
 
@@ -161,12 +161,10 @@ def _speed_sentence(case: CaseResult, m: MemberResult) -> str:
     if m.arc.arc.pitch_offset is not None:
         terms += f", belt thickness {_signed(m.thickness_term)} %"
     if abs(ratio) < _AS_FAST:
-        return (
-            f"The drum of {m.name} {verb} as fast as that of {first}, at equal diameters: {terms}."
-        )
+        return f"{m.name} {verb} as fast as {first}, at equal diameters: {terms}."
     rule = _rule(ratio) if asked and m.creep_term > 0.0 else ""
     return (
-        f"The drum of {m.name} {verb} {abs(100.0 * ratio):.3f} % {way} than that of {first}, at "
+        f"{m.name} {verb} {abs(100.0 * ratio):.3f} % {way} than {first}, at "
         f"equal diameters ({terms}): {_reason(m, ratio)}{rule}."
     )
 
@@ -187,8 +185,8 @@ def _signed(term: float) -> str:
 
 def _rule(ratio: float) -> str:
     """Say whether the rule of the slightly faster second drive holds."""
-    holds = "holds" if ratio > 0.0 else "does not hold"
-    return f", and the rule of the slightly faster second drive {holds}"
+    applies = "applies" if ratio > 0.0 else "does not apply"
+    return f", and the rule of the slightly faster second drive {applies}"
 
 
 def _reason(m: MemberResult, ratio: float) -> str:
@@ -196,14 +194,14 @@ def _reason(m: MemberResult, ratio: float) -> str:
     others = m.contraction_term + m.compression_term + m.creep_term
     if m.arc.arc.pitch_offset is not None and abs(m.thickness_term) > abs(others):
         way = "farther out" if m.thickness_term < 0.0 else "closer in"
-        return f"its tension member runs {way} than on the first drum"
+        return f"its tension member runs {way} than on the first pulley"
     shorter = m.contraction_term + m.compression_term + m.thickness_term
     if ratio > 0.0 and m.creep_term > 0.0 and shorter <= 0.0:
         return "its extra creep outweighs contraction and compression"
     if ratio <= 0.0 < m.creep_term and shorter < 0.0:
         return "contraction and compression outweigh its extra creep"
     if shorter < 0.0:
-        return "contraction, compression and a smaller creep all ask for it"
+        return "contraction, compression and a smaller creep all require it"
     return "the belt is as tight there as at the first drive, or tighter"
 
 
@@ -216,8 +214,8 @@ def _matching(case: CaseResult, cases: Sequence[CaseResult]) -> Iterator[str]:
             continue
         how = " with its motors as they are" if own_way else ""
         yield (
-            f"A trim of 0.1 % on {m.name} moves {percent(slope, 2)} of the load{how}: to keep "
-            f"its share within {percent(_TOLERATED)}, speeds and diameters must match within "
+            f"A trim of 0.1 % on {m.name} moves {percent(slope, 2)} of the load{how}: for a "
+            f"share within {percent(_TOLERATED)}, speeds and diameters must match within "
             f"{_needed(slope)} %."
         )
 
@@ -267,7 +265,7 @@ def _setting(result: TrainResult, matching: Matching, equal: bool) -> str:
     if case.case.on_motors:
         change = nan if equal else _motor_change(matching)
         if isnan(change):
-            return f"Keep speeds within {_needed(slope)} % for {within}." if span and equal else ""
+            return f"Match speeds within {_needed(slope)} % for {within}." if span and equal else ""
         way = "faster" if change > 0.0 else "slower"
         return f"Set the motor of {case.members[drive].name} {abs(change):.2f} % {way}."
     if not matching.equal.status.solved:
@@ -276,12 +274,12 @@ def _setting(result: TrainResult, matching: Matching, equal: bool) -> str:
     (_, before), (share, after) = _largest_creep(case), _largest_creep(matching.equal)
     if not equal and share > 1.0 and after > (1.0 + _ALIKE) * before:
         return (
-            f"Keep trim {_trim(now)}: equal sharing at {_trim(even)} raises creep from "
+            f"Leave trim at {_trim(now)}: equal sharing at {_trim(even)} raises creep from "
             f"{named('exit_creep', before)} to {named('exit_creep', after)}."
         )
     if abs(now - even) < _AS_FAST:
         if not span:
-            return f"Keep trim {_trim(even)}."
+            return f"Leave trim at {_trim(even)}."
         return f"Set trim to {100.0 * even:.3f}{span} for {within}."
     return f"Set trim from {_trim(now)} to {_trim(even)}."
 
@@ -328,17 +326,17 @@ def _who_and_why(matching: Matching) -> Iterator[str]:
     trims = f"at a trim of {100.0 * m.speed_trim:.3f} %"
     more = "more" if m.share > fair else "less"
     if abs(m.share - fair) < _ALIKE:
-        yield f"{m.name} carries its equal part {trims}."
+        yield f"{m.name} takes its equal share {trims}."
     elif case.case.on_motors:
-        yield f"{m.name} carries {more} than its equal part{_other_setting(matching)}."
+        yield f"{m.name} takes {more} than its equal share{_other_setting(matching)}."
     elif equal.status.solved:
         yield (
-            f"{m.name} carries {more} than its equal part because it turns {abs(gap):.3f} % "
+            f"{m.name} takes {more} than its equal share because it turns {abs(gap):.3f} % "
             f"{'faster' if gap > 0 else 'slower'} than equal shares need: {trims}, where "
             f"{100.0 * even.speed_trim:.3f} % equalises."
         )
     if equal.status.solved and drive > 0:
-        yield f"With equal shares: {_lower(_speed_sentence(equal, even))}"
+        yield f"With equal shares: {_speed_sentence(equal, even)}"
 
 
 def _other_setting(matching: Matching) -> str:
@@ -356,17 +354,13 @@ def _motor_change(matching: Matching) -> float:
     return 100.0 * (min(speeds, key=lambda v: abs(v - 1.0)) - 1.0) if speeds else nan
 
 
-def _lower(sentence: str) -> str:
-    return sentence[:1].lower() + sentence[1:]
-
-
 def _range(curve: ShareCurve, name: str, what: str) -> Iterator[str]:
     """Say between which trims no drive brakes, and where the limits of the drives are."""
     idle = curve.at(MarkKind.UNLOADED)
     if len(idle) >= 2:
         low, high = idle[0], idle[-1]
         yield (
-            f"All drives pull while the {what} of {name} is between {100.0 * low:.3f} % and "
+            f"No drive brakes while the {what} of {name} is between {100.0 * low:.3f} % and "
             f"{100.0 * high:.3f} %; outside, one brakes against the others."
         )
     parts = []
@@ -385,8 +379,8 @@ def _against_load(curve: ShareCurve) -> Iterator[str]:
         if mark.kind is MarkKind.UNLOADED:
             who = curve.case.members[mark.drive].name
             yield (
-                f"With these speeds {who} carries nothing at {percent(mark.value)} of the load, "
-                "and on the other side of it the drives fight."
+                f"With these speeds {who} transmits nothing at {percent(mark.value)} of the "
+                "load; on the other side of it the drives oppose each other."
             )
 
 
@@ -416,7 +410,7 @@ def _losses(matching: Matching) -> Iterator[str]:
     case, equal = matching.case, matching.equal
     if not isfinite(case.loss_ratio):
         return
-    costs = [f"{percent(case.loss_ratio)} of the power as it is"]
+    costs = [f"{percent(case.loss_ratio)} of the power now"]
     fair = 1.0 / len(case.members)
     alike = all(abs(m.share - fair) < _ALIKE for m in case)
     if not alike and equal.status.solved and isfinite(equal.loss_ratio):
@@ -425,11 +419,11 @@ def _losses(matching: Matching) -> Iterator[str]:
     for mark in curve.marks:
         if mark.kind is MarkKind.UNLOADED:
             who = case.members[mark.drive].name
-            costs.append(f"{percent(mark.loss_ratio)} where {who} carries nothing")
+            costs.append(f"{percent(mark.loss_ratio)} where {who} transmits nothing")
     known = [
         (loss, s[matching.drive]) for loss, s in zip(curve.loss_ratio, curve.shares, strict=True)
     ]
     known += [(mark.loss_ratio, mark.shares[matching.drive]) for mark in curve.marks]
     least, share = min(found for found in known if isfinite(found[0]))
     best = f"{percent(float(least))} with {percent(float(share), 2)} on {name}"
-    yield f"Creep costs {', '.join(costs)}; the least found by trimming is {best}."
+    yield f"Creep costs {', '.join(costs)}; the minimum by trimming is {best}."

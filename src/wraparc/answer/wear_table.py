@@ -55,20 +55,20 @@ def life_table(result: ArcResult, lagging: Lagging, of: Sources | None = None) -
     if data is None:
         return None
     passes = quantity(data["passes_per_hour"], "number")
-    rows = [Row("Passes of the lagging under the belt", (f"{passes} 1/h",))]
+    rows = [Row("Passes of the lagging under the belt", (f"{passes} 1/h",), name="passes_per_hour")]
     depth = quantity(data["depth"], "length")
     if data["life_hours"] is not None:
         k = quantity(data["coefficient"], "wear_coefficient")
         source = str(lagging.source_of("wear_coefficient"))
-        rows.append(Row("Wear coefficient", (k,), note=source))
+        rows.append(Row("Wear coefficient", (k,), note=source, name="wear_coefficient"))
         life = _life(data["life_hours"])
         years = f"frictional energy times wear coefficient; a year has {HOURS:g} h of running here"
-        rows.append(Row(f"Life until {depth} is worn off", (life,), note=years))
+        rows.append(Row(f"Life until {depth} is worn off", (life,), note=years, name="life"))
     rows += [_vendor_row(vendor, of) for vendor in data["vendors"]]
     note = f"Depth that may be worn off: half the thickness, {depth}."
     if data["life_hours"] is None:
         note += (
-            " The life follows from a wear coefficient, which nobody publishes: calibrate it to a "
+            " The life follows from a wear coefficient, which is not published: calibrate it to a "
             "measured wear (wraparc field --measured-wear), or give wear_coefficient."
         )
     return Table("Life of the lagging", tuple(rows), note=note, name="life")
@@ -78,10 +78,16 @@ def _vendor_row(vendor: dict[str, Any], of: Sources | None) -> Row:
     low, high = vendor["coefficient"]
     ends = Cell(high, "wear_coefficient", RESULT_DIGITS, "to", low)
     least, most = vendor["years"]
-    years = f"over {least:g}" if least == most else f"{least:g} to {most:g}"
+    years: str = Cell(most, "number", form="to", other=least)
+    years = f"over {years}" if least == most else years
     number = "" if of is None else of.number(f"{_LIFE}: {vendor['source']}")
     note = f"whatever the creep; here it would take a wear coefficient of {ends} {number}"
-    return Row(f"Vendor's life, {vendor['name']}", (f"{years} years",), note=note.strip())
+    return Row(
+        f"Vendor's life, {vendor['name']}",
+        (f"{years} years",),
+        note=note.strip(),
+        name="vendor_life",
+    )
 
 
 def life_data(result: ArcResult, lagging: Lagging) -> dict[str, Any] | None:

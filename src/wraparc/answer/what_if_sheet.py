@@ -8,6 +8,7 @@ from typing import Any
 from wraparc.across import across_of
 from wraparc.alike import alike
 from wraparc.answer.across_tables import across_data, compared_table
+from wraparc.answer.key_figures import key_figures
 from wraparc.answer.least_tension import at_least, least_name, shown_least
 from wraparc.answer.sheet import NONE, Row, Sheet, Table, Verdict, named, percent, row_of
 from wraparc.answer.words import action_of, alone, format_verdict, short
@@ -20,24 +21,15 @@ from wraparc.train import TrainResult
 from wraparc.train.whole import Whole
 from wraparc.units import per_stress
 
-_SHOWN = (
-    "entry_tension",
-    "exit_tension",
-    "effective_tension",
-    "exit_creep",
-    "creep_shrinkage",
-    "creep_compression",
-    "creep_global",
-    "exit_slip",
-    "peak_shear_stress",
-    "peak_shear_angle",
-    "creep_limit_capacity",
-    "equivalent_friction",
-    "power_loss",
-)
+#: What stands behind a key figure: parts of the creep, and the capacity before its friction.
+_BEHIND = {
+    "exit_creep": ("creep_shrinkage", "creep_compression", "creep_global"),
+    "peak_shear_angle": ("creep_limit_capacity",),
+}
 #: rows that stand there only where a change moves them
 _TENSIONS = frozenset({"entry_tension", "exit_tension", "effective_tension"})
-_FAILED = frozenset(_SHOWN) - _TENSIONS - {"creep_limit_capacity", "equivalent_friction"}
+#: numbers that a pulley in gross slip has too
+_KNOWN = _TENSIONS | {"creep_limit_capacity", "creep_limit_margin", "equivalent_friction"}
 #: parts of the creep that change less than this share of it are not told
 _WORTH_TELLING = 0.02
 #: part of the creep by which it differs where it is the same
@@ -56,7 +48,7 @@ def what_if_sheet(found: WhatIf, title: str) -> Sheet:
     ]
     rows += [
         row_of(name, *(_value(r, name) for r in results))
-        for name in _SHOWN
+        for name in _shown()
         if not all(math.isnan(_value(r, name)) for r in results)
         and not (name in _TENSIONS and alike([_value(r, name) for r in results]))
     ]
@@ -126,9 +118,15 @@ def _standards(wholes: Sequence[Whole]) -> Iterator[Row]:
 
 
 def _value(result: ArcResult, name: str) -> float:
-    if not result.status.solved and name in _FAILED:
+    if not result.status.solved and name not in _KNOWN:
         return math.nan
     return result.scalar(name)
+
+
+def _shown() -> list[str]:
+    """Return the names of what is compared, in its order."""
+    names = [figure.name for figure in key_figures("changes")]
+    return [name for key in names for name in (key, *_BEHIND.get(key, ()))]
 
 
 def _missed(found: WhatIf, whole: Whole) -> Iterator[str]:
@@ -146,10 +144,10 @@ def reasons(before: ArcResult, after: ArcResult, several: bool = False) -> Itera
     """
     yield from _tension_words(before.arc, after.arc, several)
     if not after.status.solved:
-        yield "gross slip: the pulley cannot transmit Te."
+        yield "gross slip: no creep transmits its Te."
         return
     if not before.status.solved:
-        yield "the pulley transmits Te, which it did not before."
+        yield "it transmits the load; before it slipped."
         return
     told = sorted(_parts(before, after), key=lambda part: -part[0])
     floor = _WORTH_TELLING * abs(before.exit_creep)
@@ -172,16 +170,16 @@ def _tension_words(before: WrapArc, after: WrapArc, several: bool) -> Iterator[s
     pulls = [of("effective_tension", arc) for arc in (before, after)]
     told = f"with {' and '.join(changes)}"
     if pulls[0] == pulls[1]:
-        yield f"{told} Te stays at {pulls[0]}."
+        yield f"{told}, Te stays at {pulls[0]}."
         return
     if several:
-        yield f"{told} Te goes from {pulls[0]} to {pulls[1]}: the load is divided anew."
+        yield f"{told}, Te goes from {pulls[0]} to {pulls[1]}: the load divides anew."
         return
-    fixed = {"entry_tension": "T2", "exit_tension": "T1"}[moved[0]] if len(moved) == 1 else ""
-    other = f", {fixed} constant," if fixed else ""
+    held = {"entry_tension": "T2", "exit_tension": "T1"}[moved[0]] if len(moved) == 1 else ""
+    other = f" at constant {held}" if held else ""
     yield (
-        f"{told}{other} Te = T1 - T2 goes from {pulls[0]} to {pulls[1]}; a take-up alone "
-        "leaves Te unchanged and moves T1 and T2 alike."
+        f"{told}{other}, Te goes from {pulls[0]} to {pulls[1]}; a take-up alone leaves Te "
+        "unchanged and moves T1 and T2 alike."
     )
 
 
@@ -285,7 +283,7 @@ def what_if_document(found: WhatIf) -> dict[str, Any]:
             {
                 "title": title,
                 "status": r.status.name.lower(),
-                **{name: _value(r, name) for name in _SHOWN},
+                **{name: _value(r, name) for name in _shown()},
                 "verdict": str(judge(whole).level),
                 "label": judge(whole).label,
                 "reasons": [] if r is found.before else list(_reasons(found, whole, r)),

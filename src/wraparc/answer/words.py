@@ -187,7 +187,7 @@ def alone_of(result: DriveResult, arc: ArcResult) -> DriveResult:
 def _breakaway(result: ArcResult) -> Iterator[str]:
     c, arc = result.capacities, result.arc
     if math.isnan(c.creep_limit_capacity):
-        return  # the paper's march finds no capacities
+        return  # the paper's integration finds no capacities
     ratio = c.creep_limit_capacity if arc.side > 0.0 else 1.0 / c.creep_limit_capacity
     yield (
         f"T1/T2 required: {named('tension_ratio', result.tension_ratio)}; transmissible at the "

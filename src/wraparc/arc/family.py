@@ -43,7 +43,7 @@ def tension_ratio_family(arc: WrapArc, ratios: Sequence[float]) -> tuple[ArcResu
             key="ratios",
             value=f"{ratio:g}",
             message=f"must be more than 1 and at most {LARGEST_RATIO:g}",
-            remedy="Give the tight-side tension over the slack-side tension, also when braking.",
+            remedy="Give T1 over T2, also when braking.",
         )
         for ratio in ratios
         if not 1.0 < ratio <= LARGEST_RATIO

@@ -34,10 +34,10 @@ MORE_FRICTION = "choose a lagging with more friction."
 class Status(StrEnum):
     """How a solve ended: the value is the sentence the user reads, with its remedy."""
 
-    SOLVED = "The pulley carries its load."
+    SOLVED = "The pulley transmits its load."
     BREAKAWAY = (
-        "Breakaway: no creep makes enough friction for this tension ratio. Raise the slack-side "
-        f"tension (take-up), enlarge the wrap angle, or {MORE_FRICTION}"
+        "Gross slip: no creep gives enough friction for this tension ratio. Raise the slack-side "
+        f"tension (take-up), increase the wrap angle, or {MORE_FRICTION}"
     )
     UNSOLVED = (
         "The solver did not reach its accuracy on this arc. Please report the drive file; until "
@@ -189,7 +189,7 @@ class ArcResult(Viewable):
     profile
         Quantities along the arc.
     entry_tension, exit_tension
-        Tensions asked for [N]; the paper's march, which starts at the exit, misses T1 by its steps.
+        Tensions asked for [N]; the paper's integration, from the exit on, misses T1 by its steps.
     exit_creep, creep_shrinkage, creep_compression, creep_global
         Creep at the exit and its three parts [m].
     exit_slip
@@ -275,7 +275,7 @@ class ArcResult(Viewable):
     def creep_interval(self) -> tuple[float, float]:
         """95 % interval of the exit creep by the uncertainty of the law, see `creep_interval` [m].
 
-        nan where the arc is not solved, or by the paper's march, or its law has no statistics.
+        nan where the arc is not solved, by the paper's integration, or its law has no statistics.
         """
         if not self.status.solved or self.method == "paper":
             return nan, nan

@@ -204,13 +204,9 @@ class WrapArc:
             problems.append(
                 Problem(
                     key="lagging",
-                    value=f"post_peak_slope {self.law.steepest_fall():g} 1/m",
-                    message=(
-                        "friction falls so steeply past its peak that slip and shear of the "
-                        f"lagging are not unique; at {top:g} Pa the slope must stay above "
-                        f"{fall:g} 1/m (-G/(h p))"
-                    ),
-                    remedy="Check the unit of the slope, the thickness and the shear modulus.",
+                    value=f"{self.law.steepest_fall():g} 1/m",
+                    message=f"post_peak_slope must be more than {fall:g} 1/m",
+                    remedy="Check slope, thickness and shear modulus.",
                 )
             )
         law = self.law.compact()
@@ -220,12 +216,8 @@ class WrapArc:
                 Problem(
                     key="overrun",
                     value=f"{self.entry_overrun:g} m",
-                    message=(
-                        "this friction law holds the belt without slip up to a creep of "
-                        f"{held:g} m; with an overrun beyond that the creep of a belt that "
-                        "comes to rest again is not unique"
-                    ),
-                    remedy='Set overrun = "0 mm" for this law.',
+                    message=f"must be within {held:g} m of 0, where this law starts to slip",
+                    remedy='Write overrun = "0 mm".',
                 )
             )
         return problems

@@ -24,7 +24,7 @@ from wraparc.batch.columns import (
 from wraparc.batch.laws import LawBank
 from wraparc.drive import CREEP_LIMIT, Lagging, Pulley
 from wraparc.drive.pitch import thin_belt
-from wraparc.errors import InputError, Problem, shown
+from wraparc.errors import InputError, Problem, name_remedy, shown
 from wraparc.friction import FrictionLaw
 from wraparc.glossary import GLOSSARY
 from wraparc.units import display
@@ -296,7 +296,7 @@ def _unknown(given: Mapping[str, Any], laggings: int) -> list[Problem]:
         Problem(
             key=f"column {shown(name)}",
             message="no such column",
-            remedy=f"The columns are {', '.join(known)}.",
+            remedy=name_remedy(name, known),
         )
         for name in given
         if name not in known

@@ -16,11 +16,11 @@ from typing import Any, SupportsFloat, cast
 import numpy as np
 
 from wraparc.arrays import Array, Flags
-from wraparc.errors import Problem, shown
+from wraparc.errors import Problem, format_names, shown
 from wraparc.units import DIMENSION_TEXT, Dimension, display
 
 NO_VALUE = "no value"  # masked, None, NA
-_MOST_TOLD = 10  # rows that are told by number
+_MOST_LISTED = 5  # rows that a message names
 _MISSING = ("NAType", "NaTType")  # of pandas, which need not be there
 
 
@@ -98,7 +98,7 @@ def length_problems(shapes: Mapping[str, tuple[int, ...]]) -> tuple[int, list[Pr
         Problem(
             key=f"column {shown(name)}",
             value=f"{len(shape)} dimensions" if len(shape) > 1 else f"{shape[0]} rows",
-            message=f"must be one number or have {n} rows, as the longest column has",
+            message=f"must be one number or have {n} rows",
         )
         for name, shape in shapes.items()
         if len(shape) > 1 or (len(shape) == 1 and shape[0] != n)
@@ -148,10 +148,9 @@ def row_problem(
     name: str, rows: Sequence[int], value: str, allowed: str, by_row: bool = True
 ) -> Problem:
     """Return the problem of some rows of a column, the first with its value."""
-    key, more = f"column {shown(name)}", ""
+    key, remedy = f"column {shown(name)}", ""
     if by_row:
         key += f", row {rows[0]}"
     if len(rows) > 1:
-        told = ", ".join(map(str, rows[:_MOST_TOLD])) + " ..." * (len(rows) > _MOST_TOLD)
-        more = f" ({len(rows)} rows are like this: {told})"
-    return Problem(key=key, value=value, message=allowed + more)
+        remedy = f"Correct rows {format_names(rows, _MOST_LISTED)}."
+    return Problem(key=key, value=value, message=allowed, remedy=remedy)

@@ -21,6 +21,7 @@ from wraparc.calibrate.record import ROLES, RecordChoices, read_record
 from wraparc.drive import Drive, Lagging, Limit, Tensions
 from wraparc.drive.belt import MOST_THICKNESS
 from wraparc.drive.pitch import USUAL_OFFSET, pitch_offset
+from wraparc.errors import name_remedy
 from wraparc.glossary import GLOSSARY
 from wraparc.provenance import Kind, Provenance
 from wraparc.schema.kinds import ByName, Choice, Name, Percent, Quantity, Rows, Text
@@ -58,7 +59,9 @@ _TENSION = Quantity("force", Limit("force", open=True))
 _DRUM_SPEED = "Of its shaft, times the radius over the unloaded lagging."
 ZERO = Table(
     "A record at little load, which zeroes the speed ratio",
-    need("drum_speed", _DRUM_SPEED, _SPEED, example='drum_speed = "3.05 m/s"'),
+    need(
+        "drum_speed", _DRUM_SPEED, _SPEED, title="Pulley speed", example='drum_speed = "3.05 m/s"'
+    ),
     need("belt_speed", "At the nip.", _SPEED, example='belt_speed = "3.1 m/s"'),
     need(
         "sd", "Of the speed ratio.", Text(60), title="Standard deviation", example='sd = "0.01 %"'
@@ -86,15 +89,15 @@ NUMBER = Table(
     need("quantity", kind=Choice(QUANTITIES)),
     Entry("value", "With its unit.", Text(60)),
     need("sd", kind=Text(60), title="Standard deviation", example='sd = "0.1 mm"'),
-    Entry("drum_speed", _DRUM_SPEED, _SPEED),
+    Entry("drum_speed", _DRUM_SPEED, _SPEED, title="Pulley speed"),
     Entry("belt_speed", "At the nip that the quantity is of.", _SPEED),
-    Entry("load_case", "The running one of the largest pull if left out.", Name()),
+    Entry("load_case", "The running one of maximum effective tension if left out.", Name()),
     Entry("provenance", kind=PROVENANCE),
 )
 RECORD = Table(
     "A record of an instrumented pulley",
     need("file", "Relative to this one.", Name(1000)),
-    Entry("load_case", "The running one of the largest pull if left out.", Name()),
+    Entry("load_case", "The running one of maximum effective tension if left out.", Name()),
     Entry("columns", f"By role: {', '.join(ROLES)}.", ByName(Column())),
     Entry("units", "By role, where the file has none.", ByName(Text(40))),
     Entry("signs", "By role: what a driving pulley shows.", ByName(_SIGN)),
@@ -111,7 +114,7 @@ CALIBRATE = Table(
     Entry("method", "distributed if left out.", Choice(tuple(METHODS))),
     Entry(
         "parameters",
-        "What is to be found; a shear modulus is that over the gross area of the lagging.",
+        "What is to be identified; a shear modulus is that over the gross area of the lagging.",
         Rows(Choice(PARAMETERS), 0, 5),
     ),
     Entry("zero", "Belt idling, or nearly so.", ZERO, title="Zero record"),
@@ -275,7 +278,7 @@ def _zero(record: Any, drive: Drive, pulley: str, report: Report) -> Number | No
     sd, both = _deviation(record, "number", report), ("entry_tension", "exit_tension")
     given = [key for key in both if key in record]
     if given and "load_case" in record:
-        report.add((*record.place, "load_case"), "given, and tensions as well", "Keep one.")
+        report.add((*record.place, "load_case"), "contradicts the tensions", "Remove one.")
         return None
     if len(given) != 2 and "load_case" not in record and record.sound(*both, "load_case"):
         message = "needs the tensions of this record"
@@ -309,14 +312,14 @@ def _errors(
     if {"entry_tension", "exit_tension", "effective_tension"} <= set(stated):
         report.add(
             ("errors", "effective_tension"),
-            "given, and both tensions as well",
-            "Effective tension is their difference: keep two of the three.",
+            "three errors of two independent tensions",
+            "Leave one of the three out.",
         )
     if "lagging_shear" in stated and "shear_modulus" in record.get("parameters", ()):
         report.add(
             ("errors", "lagging_shear"),
-            "given, and shear_modulus is to be found",
-            "Give it a prior instead, or leave it out of the parameters.",
+            "contradicts shear_modulus in parameters",
+            "Give it a prior instead, or leave one out.",
         )
     for key, value in stated.items():
         if not value > 0.0:
@@ -334,17 +337,15 @@ def _errors(
     if zero is None and e is None:
         report.add(
             ("belt", "thickness"),
-            "not known, and a speed ratio holds it: "
-            f"{_percent_of(2.0 * USUAL_OFFSET, on.diameter)} for {2e3 * USUAL_OFFSET:g} mm of it",
-            "Give a [zero] record of the idling belt, or covers and carcass in the drive file.",
+            "missing: without it a speed ratio is uncertain by "
+            f"{_percent_of(2.0 * USUAL_OFFSET, on.diameter)}",
+            "Give a [zero] record, or covers and carcass.",
         )
     elif zero is None and not by_zero:
         report.add(
             ("errors",),
-            "missing, and a speed ratio compares radii: 0.1 mm of one is "
-            f"{_percent_of(1e-4, radius)} of speed",
-            "Give a [zero] record of the idling belt, or belt_speed, diameter and pitch_offset in "
-            "[errors].",
+            f"missing: 0.1 mm of radius is {_percent_of(1e-4, radius)} of speed",
+            "Give a [zero] record, or belt_speed, diameter and pitch_offset.",
         )
     known = by_zero and e is not None
     errors = {"speed_zero": by_zero if known else OPEN_ZERO, **errors}
@@ -372,10 +373,9 @@ def _check_zero(
     if high < -room or low > MOST_THICKNESS + room:
         report.add(
             ("zero", "belt_speed"),
-            f"puts the tension member {1e3 * high:.3g} mm above the lagging surface; a belt has it "
-            f"0 to {1e3 * MOST_THICKNESS:g} mm above",
-            "Are drum and belt speed mixed up, or is the diameter that of the bare drum? Check the "
-            "radius of the wheel; where it is not well known, give belt_speed in [errors].",
+            f"puts the tension member {1e3 * high:.3g} mm above the lagging, not 0 to "
+            f"{1e3 * MOST_THICKNESS:g} mm",
+            "Check speeds and diameter.",
             record.raw.get("belt_speed", NOTHING),
         )
 
@@ -388,7 +388,7 @@ def _folded(
         for role in record.get(key, {}):
             if role not in ROLES:
                 place = (*record.place, key, role)
-                report.add(place, "no such role", f"The roles are {', '.join(ROLES)}.")
+                report.add(place, "no such role", name_remedy(role, ROLES))
     choices = RecordChoices(
         columns=record.get("columns", {}),
         units=record.get("units", {}),

@@ -123,17 +123,15 @@ def _check_span(angle: Array, wrap: float) -> None:
     if span < wrap:
         raise InputError(
             _no_full_arc(
-                f"it covers {math.degrees(span):.0f} deg of rotation, less than the wrap angle of "
-                f"{math.degrees(wrap):.0f} deg"
+                f"rotation {math.degrees(span):.0f} deg is below wrap {math.degrees(wrap):.0f} deg"
             )
         )
 
 
 def _no_full_arc(why: str) -> Problem:
     return Problem(
-        message=f"the record has no full contact arc: {why}",
-        remedy="Record at least one turn of the pulley, with the sensor off the belt before and "
-        "after, and check the unit of the rotation angle.",
+        message=f"no full contact arc: {why}",
+        remedy="Record one turn or more; check the unit of angle.",
     )
 
 
@@ -167,13 +165,13 @@ def _contact(
     seen = length / n * 2.0 * np.pi
     end = (start + length) % n
     if not sampled[end]:
-        raise InputError(_no_full_arc("where the belt leaves is not in it"))
+        raise InputError(_no_full_arc("the exit of the belt is not in it"))
     if seen > 1.1 * wrap + 0.1:
         message = (
-            f"signals differ from their level off the belt over {math.degrees(seen):.0f} deg, and "
-            f"the wrap angle is {math.degrees(wrap):.0f} deg"
+            f"contact over {math.degrees(seen):.0f} deg exceeds the wrap angle "
+            f"{math.degrees(wrap):.0f} deg"
         )
-        remedy = "Check the wrap angle, and which column is which."
+        remedy = "Check wrap angle and columns."
         raise input_error(message=message, remedy=remedy)
     # the exit nip cuts the last bin of the run: its mean tells where
     last, before = total[(end - 1) % n], total[(end - 2) % n]
@@ -233,8 +231,7 @@ def _sign(name: str, mean: Array, side: float, given: int | None) -> float:
     if abs(share) < _MOSTLY_ONE_SIGN:
         raise input_error(
             key=f"signs.{name}",
-            message=f"the {name.replace('_', ' ')} is both positive and negative under the "
-            "belt, so its sign cannot be told",
-            remedy=f"Write signs.{name} = 1 if it is positive on a driving pulley, else -1.",
+            message=f"the {name.replace('_', ' ')} changes its sign under the belt",
+            remedy="Write 1 if positive on a driving pulley, else -1.",
         )
     return 1.0 if share * side > 0.0 else -1.0

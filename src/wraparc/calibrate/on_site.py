@@ -75,7 +75,7 @@ def _coefficient(
         return value, f"calibrated to the wear measured: {value * 1e9:.3g} mm3/J"
     if asked.wear_coefficient:
         value = positive_quantity(asked.wear_coefficient, "wear_coefficient", "wear_coefficient")
-        return value, "wear coefficient as given"
+        return value, "wear coefficient as input"
     lagging = drive.pulley(pulley).lagging
     if lagging.wear_coefficient is None:
         return None, ""
@@ -85,8 +85,8 @@ def _coefficient(
 def _energy(results: Mapping[str, ArcResult], hours: Mapping[str, float]) -> float:
     """Return the frictional energy of hours of running [J/m2]."""
     if not hours:
-        message = "needed with a measured wear: the hours that it took, by load case"
-        remedy = "Write design=12000 for 12,000 hours of the load case design."
+        message = "missing: the hours of a measured wear"
+        remedy = "Write design=12000 for 12,000 h of load case design."
         raise input_error(key="wear_hours", message=message, remedy=remedy)
     energy = 0.0
     for name, share in hours.items():
@@ -104,6 +104,6 @@ def _depth(text: str, key: str, thickness: float) -> float:
     """Return a depth of wear [m], of a lagging that is so thick [m]."""
     depth = positive_quantity(text, "length", key)
     if depth > thickness:
-        told = f"more than the lagging has, {display(thickness, 'length')}"
-        raise input_error(key=key, value=shown(text), message=told)
+        message = f"must be at most the lagging thickness {display(thickness, 'length')}"
+        raise input_error(key=key, value=shown(text), message=message)
     return depth

@@ -21,7 +21,7 @@ from wraparc.machine_tables import (
 )
 from wraparc.units import Dimension, dimension_of, unit_factor
 
-_EXPORT = "Export a row for each sample: rotation angle, belt displacement, shear angle."
+_EXPORT = "Export rows of rotation angle, belt displacement and shear angle."
 #: what a record may hold: column, dimension, words that name it
 ROLES: dict[str, tuple[Dimension, tuple[str, ...]]] = {
     "angle": ("angle", ("rotation", "theta", "pulley", "encoder", "drehwinkel", "position")),
@@ -159,8 +159,7 @@ def _factor(
                 file=file,
                 key=f"units.{role}",
                 message=f"column {shown(column.label)} has no unit",
-                remedy=f'Write units.{role} = "{"deg" if dimension == "angle" else "mm"}" or '
-                "whatever it is.",
+                remedy=f'Write units.{role} = "?" with its unit.',
             )
         )
         return 1.0
@@ -181,8 +180,8 @@ def _missing(role: str, columns: list[NamedColumn], file: str) -> Problem:
     return Problem(
         file=file,
         key="columns",
-        message=f"no column could be told to be the {role.replace('_', ' ')}",
-        remedy=f"Write columns.NAME = one of {there}, or its number.",
+        message=f"no column is recognised as {role.replace('_', ' ')}",
+        remedy=f"Write columns.NAME = one of {there}.",
     )
 
 

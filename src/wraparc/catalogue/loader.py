@@ -324,10 +324,10 @@ def unknown_name(what: str, name: str, known: Iterable[str], command: str) -> In
     """Return the error for a name that the catalogue does not have, with the nearest ones."""
     by_plain = {_plain(k): k for k in known}
     texts = [shown(by_plain[key]) for key in near(_plain(name), by_plain)]
-    remedy = f"Did you mean {' or '.join(texts)}?" if texts else ""
+    remedy = f"Did you mean {' or '.join(texts)}?" if texts else f"List them: {command}."
     return input_error(
         message=f"the catalogue has no {what} of this name",
-        remedy=f"{remedy} The command `{command}` lists them.".strip(),
+        remedy=remedy,
         value=shown(name),
     )
 

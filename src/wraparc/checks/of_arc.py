@@ -83,7 +83,7 @@ def of_sliding(drive: Drive, case: LoadCase, result: ArcResult, found: Sliding) 
         title=GRIP,
         noun=GRIP_NOUN,
         source=f"safety factor {case.kind}: {safety.source or OWN_FACTORS}",
-        label="slip beyond tests" if tested else "gross slip",
+        label="slip outside tests" if tested else "gross slip",
         headline=TESTED_HEADLINE
         if tested
         else "Gross-slip safety {value} is below the {limit} minimum",
@@ -196,7 +196,7 @@ def _creep(of: Spot) -> CheckText:
         noun="creep",
         source="conservative limit, 1/4 in; B. DeVries, A model of lagging friction"
         if limit == CREEP_LIMIT
-        else "given",
+        else "input",
         label="creep",
         headline="Creep {value} exceeds the {limit} limit",
         fails="Creep {creep} exceeds {slides}: gross slip",
@@ -380,7 +380,7 @@ def _slip(of: Spot) -> CheckText | None:
         title="Slip, tested range",
         noun="slip",
         source=tests_of(of.pulley),
-        label="slip beyond tests",
+        label="slip outside tests",
         headline="Slip {value} exceeds the tested {limit}",
         action="Test the lagging to {slip} slip.",
         full=EXTRAPOLATED,
@@ -413,7 +413,7 @@ def _speed(of: Spot) -> CheckText | None:
         title=title,
         noun=noun,
         source=tests_of(of.pulley),
-        label="slip speed beyond tests",
+        label="slip speed outside tests",
         headline="Slip speed {value} exceeds the tested {limit}",
         action="Test the lagging at {speed}.",
         full="How the friction changes with slip speed is unknown.",

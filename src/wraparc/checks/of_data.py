@@ -19,7 +19,10 @@ def _condition(of: Spot) -> Iterator[Check]:
     lagging = of.pulley.lagging
     if SCALED in lagging.sources:
         factor = lagging.scaled_by
-        used = f"dry friction {'scaled' if factor is None else f'times {factor:.3g} used'}"
+        used = "dry friction scaled"
+        if factor is not None:  # the name of a condition may have several words
+            several = " " in lagging.condition
+            used = f"dry friction times {factor:.3g}{'' if several else ' used'}"
         full = f"Source of the factor: {origin(lagging.sources[SCALED])}."
         yield _untested(of, lagging.condition, SCALED, used, full)
     if WORN in lagging.sources:
@@ -166,7 +169,7 @@ def law_words(lagging: Lagging) -> tuple[list[str], list[str]]:
     law, friction = str(lagging.source_of("law").kind), f"The friction of {lagging.name} is"
     words = [f"{friction} {_LAWS[law]}."] if law in _LAWS else []
     untested = lagging.law.tested is None
-    words += [f"{friction} given without tests."] if untested else []
+    words += [f"{friction} without tests."] if untested else []
     return [law, *(["untested"] if untested else [])], words
 
 

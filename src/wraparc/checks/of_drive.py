@@ -461,7 +461,7 @@ def take_up(drive: Drive) -> Iterator[Check]:
         title="Take-up tension",
         noun="take-up tension",
         level=Level.ATTENTION,
-        source=f"take-up {kind}, as given",
+        source=f"take-up {kind}, input",
         label="take-up tension",
         headline=f"{kind.capitalize()} take-up needs equal {what}: {escaped(str(named[0]))} has "
         f"{{least}}, {escaped(str(named[1]))} has {{most}}",

@@ -171,7 +171,9 @@ def of_run(station: Station, event: Event) -> Iterator[Owner]:
     yield _moving(station, "")
     yield from (_moving(of, f"of event {event.name}") for of in (event, *event.happenings))
     for name, drum in zip(station.names, station.drums, strict=True):
-        yield from (_moving(of, f"of drum {name}") for of in (drum, drum.control, drum.trim) if of)
+        yield from (
+            _moving(of, f"of pulley {name}") for of in (drum, drum.control, drum.trim) if of
+        )
 
 
 def _moving(of: Any, words: str) -> Owner:

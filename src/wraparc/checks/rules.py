@@ -57,7 +57,7 @@ ACROSS_RULES = {
             at_most=False, binding=False,
         ),
         Rule(
-            "uneven_pressure", "the largest wrap pressure tested, across the width",
+            "uneven_pressure", "the maximum wrap pressure tested, across the width",
             dimension="pressure", tension="lower", binding=False,
         ),
         Rule(

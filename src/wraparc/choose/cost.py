@@ -172,9 +172,8 @@ def price_problems(costing: Costing, laggings: list[str], belts: list[str]) -> l
             problems.append(
                 Problem(
                     key=f"cost.lagging.{name}",
-                    message=f"lagging {shown(name)} has no cost, so it cannot be ranked",
-                    remedy="Give material, installation, area and life_years, or preset = a "
-                    "lagging cost of the catalogue.",
+                    message=f"lagging {shown(name)} has no cost",
+                    remedy="Give material, installation, area and life_years, or a preset.",
                 )
             )
         elif price.cost.currency != costing.currency:
@@ -183,9 +182,8 @@ def price_problems(costing: Costing, laggings: list[str], belts: list[str]) -> l
         Problem(
             key="cost.currency",
             value=shown(costing.currency),
-            message=f"{', '.join(names)}: priced in {currency}, and none is converted",
-            remedy=f'Write currency = "{currency}", or give material, installation, area and '
-            f"life_years of each in {costing.currency} under [cost.lagging.NAME].",
+            message=f"{names[0]}{' and others' if names[1:] else ''} priced in {currency}",
+            remedy=f'Write currency = "{currency}", or give their costs in {costing.currency}.',
         )
         for currency, names in others.items()
     ]
@@ -193,17 +191,18 @@ def price_problems(costing: Costing, laggings: list[str], belts: list[str]) -> l
     problems += [
         Problem(
             key=f"cost.belt.{name}",
-            message=f"belt {shown(name)} has no cost, and the candidates have different belts",
+            message=f"belt {shown(name)} has no cost",
             remedy="Give price and life_years of every candidate belt.",
         )
         for name in missing
     ]
     if costing.tariff and not any(h > 0.0 for h in costing.hours.values()):
-        message = "a tariff, and no load case with hours"
+        message = "a tariff without hours of a load case"
         problems.append(
             Problem(key="cost.hours", message=message, remedy="Write hours.design = 6000.")
         )
     problems += hours_problems(costing.hours, "cost.hours")
     if not 0.0 < costing.years < math.inf:
-        problems.append(Problem(key="cost.years", message="must be more than 0"))
+        value = f"{costing.years:g}"
+        problems.append(Problem(key="cost.years", value=value, message="must be more than 0"))
     return problems

@@ -92,8 +92,8 @@ def _refuse_old(document: Document) -> None:
                 Problem(
                     key="limits.gross_slip_margin",
                     value=shown(limits["gross_slip_margin"]),
-                    message="an extrapolated ratio, which no check compares",
-                    remedy="Give limits.gross_slip_safety, the least safety against gross slip.",
+                    message="no check compares this extrapolated ratio",
+                    remedy="Give limits.gross_slip_safety.",
                 )
             ]
         )
@@ -103,8 +103,8 @@ def _refuse_between(drive: Drive, report: Report) -> None:
     """Report a take-up between drives: designs are given a slack-side tension."""
     take_up = drive.criteria.take_up
     if take_up.after not in ("", drive.pulleys[-1].name):
-        message = "designs are chosen for a take-up on the slack side of the drives"
-        remedy = "Leave it out to choose; then solve the design with it."
+        message = "choosing needs the take-up at the slack side"
+        remedy = "Leave it out to choose."
         report.add(("drive", "take_up", "after"), message, remedy, take_up.after)
 
 

@@ -26,7 +26,7 @@ CANDIDATES = Table(
     Entry("wrap_angles", kind=Rows(limited(Pulley, "wrap_angle"), 1, _MOST)),
     Entry(
         "slack_tensions",
-        "Kept by the take-up in every load case, or least: as low as each design can do.",
+        'Constant in every load case, or "least": the minimum of each design.',
         WordOr("least", Rows(limited(Tensions, "exit"), 1, 100000)),
         title="Slack-side tensions",
     ),
@@ -36,25 +36,30 @@ LIMITS = Table(
     "Limits",
     Entry("creep", "That of the drive if left out.", _LENGTH),
     Entry("bond_stress", kind=_STRESS),
-    Entry("creep_limit_margin", kind=_MARGIN, title="Least margin to the creep limit"),
-    Entry("tested_slip_margin", kind=_MARGIN, title="Least margin to the edge of tested slip"),
+    Entry("creep_limit_margin", kind=_MARGIN, title="Minimum margin to the creep limit"),
+    Entry("tested_slip_margin", kind=_MARGIN, title="Minimum margin to the end of tested slip"),
     Entry(
         "gross_slip_safety",
         "That of the drive if left out.",
         _MARGIN,
-        title="Least safety against gross slip",
+        title="Minimum gross-slip safety",
     ),
     Entry(
-        "tested_pressure", "Kept if left out.", Flag(), title="Wrap pressures in the tested range"
+        "tested_pressure",
+        "Unchanged if left out.",
+        Flag(),
+        title="Wrap pressures in the tested range",
     ),
-    Entry("belt_rating", "Kept if left out.", Flag()),
+    Entry("belt_rating", "Unchanged if left out.", Flag()),
     Entry(
         "rating_share",
         "Tension allowed over the belt rating, by load case; 1 where not named.",
         ByName(Quantity("number", Limit("number", least=0.2, most=5.0))),
         title="Share of the rating",
     ),
-    Entry("least_pulley_diameter", "Kept if left out.", Flag()),
+    Entry(
+        "least_pulley_diameter", "Unchanged if left out.", Flag(), title="Minimum pulley diameter"
+    ),
     Entry("sag", "That of the drive if left out.", SAG, title="Belt sag"),
     of=Limits,
 )
@@ -107,7 +112,7 @@ CHOOSE = Table(
     need("candidates", kind=CANDIDATES, example="a [candidates] table"),
     Entry("limits", kind=LIMITS),
     Entry(
-        "condition", "All must be kept; dry if none.", Rows(CONDITION, 1, 20), title="Conditions"
+        "condition", "Designs pass in all; dry if none.", Rows(CONDITION, 1, 20), title="Conditions"
     ),
     need("cost", kind=COST, example="a [cost] table with the currency"),
 )

@@ -121,7 +121,7 @@ def _length(text: str, key: str) -> float:
         value = parse_quantity(text, "length")
     message = Lagging.LIMITS["thickness"].refusal(value)
     if value == 0.0:
-        message = "no lagging is left, and the friction is that of a bare pulley"
+        message = "leaves no lagging"
     if message:
         remedy = "" if value else "Ask what a bare pulley does."
         raise input_error(key=key, value=shown(text), message=message, remedy=remedy)

@@ -178,8 +178,7 @@ class Search:
                 yield Problem(
                     key="candidates.slack_tensions",
                     value=display(tension, "force"),
-                    message=f"leaves a belt tension of {display(left, 'force')} in load case "
-                    f"{slackest}, and a belt cannot push",
+                    message=f"leaves {display(left, 'force')} in load case {slackest}",
                     remedy="Give a larger tension.",
                 )
 

@@ -89,7 +89,7 @@ def overlay(answer: Answer, file: str, settings: tuple[str, ...], pulley: str | 
 @click.argument("file", type=click.Path())
 @click.argument("output", type=click.Path())
 @_PULLEY
-@click.option("--load-case", metavar="NAME", help="Which load case; the largest running pull.")
+@click.option("--load-case", metavar="NAME", help="Which load case; the running one of maximum Te.")
 @click.option(
     "--samples",
     type=click.IntRange(100, 2_000_000),

@@ -32,7 +32,7 @@ _PICTURE = "head-drive-fabric.svg"
 def demo(into: Path, units: System) -> int:
     """Copy all examples to a folder, solve one and draw it.
 
-    Files that are already there are kept and used as they are: change one and run it again.
+    Files that are already there are used unchanged: edit one and run it again.
     """
     from wraparc.cli.show import Wanted, show
     from wraparc.cli.solve import exit_code
@@ -47,7 +47,7 @@ def demo(into: Path, units: System) -> int:
     except MissingExtraError as error:
         picture = f"There is no picture: it {error}"
     show(drive_sheet([result]), Wanted(units=units))
-    say("\n".join(["", *(f"Kept your own {into / name}." for name in kept), picture]))
+    say("\n".join(["", *(f"Unchanged: your own {into / name}." for name in kept), picture]))
     say(f"The calculator in the browser opens with: {command_name()} serve {into / _DRIVE}")
     say(_next_steps(into))
     return exit_code(result)
@@ -101,7 +101,7 @@ def _next_steps(into: Path) -> str:
             '--set pulley.head.exit_tension="90 kN"',
         ),
         ("Another lagging:", f"solve {file} --set pulley.head.lagging=full-ceramic"),
-        ("The paper's march beside it:", f"solve {file} --method both"),
+        ("Compared with the paper's integration:", f"solve {file} --method both"),
         (
             "A pulley that brakes, in US units:",
             f"solve {into / 'downhill-braking.toml'} --units us",

@@ -36,10 +36,8 @@ def event_study(
 ) -> int:
     """Follow an event for every design: rows to a file, a table on standard output."""
     for option in (option for option, given in spare.items() if given):
-        message = "is not for a study over an event"
-        remedy = (
-            "It knows -o, --set, --units, --full, --table, --json, --plot, --resume and --dry-run."
-        )
+        message = "not for a study over an event"
+        remedy = f"Leave {option} out."
         raise input_error(key=option, message=message, remedy=remedy)
     path = output or f"{os.path.splitext(os.path.basename(file))[0]}.csv"
     answer.check([file], {"--output": (path, SUFFIXES)})

@@ -15,7 +15,7 @@ from wraparc.units import parse_number
     "--ratios",
     required=True,
     metavar="R1,R2,...",
-    help="Tight-side over slack-side tensions: 1.5,2,3. The tight side stays constant.",
+    help="Tight-side over slack-side tensions: 1.5,2,3. The tight-side tension stays constant.",
 )
 @place_options
 @answers(
@@ -28,7 +28,7 @@ def family(
 ) -> int:
     """Show how creep grows along the wrap as the tension ratio of a drive FILE is raised.
 
-    One curve for each ratio, creep over wrap angle, with a constant tight-side tension.
+    One curve for each ratio, creep over wrap angle, at constant tight-side tension.
     """
     from wraparc.answer.family_sheet import family_document, family_sheet
     from wraparc.arc import WrapArc

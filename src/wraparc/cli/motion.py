@@ -13,7 +13,7 @@ from wraparc.cli.options import positive
 from wraparc.cli.output import STANDARD_OUTPUT, Content
 from wraparc.cli.run_rows import streamed
 from wraparc.cli.solve import code_told
-from wraparc.errors import input_error
+from wraparc.errors import input_error, shown
 from wraparc.motion.checkpoint import Checkpoint
 from wraparc.motion.file import load_motion
 from wraparc.motion.follow import simulate
@@ -62,8 +62,11 @@ def run(
         answer.paths.get, ("csv", "parquet", "plot", "checkpoint")
     )
     if state_file and (parquet_file or csv_file == STANDARD_OUTPUT):
-        message = "rows of a run that goes on later can only be written to a file of --csv"
-        raise input_error(key="--checkpoint", value=state_file, message=message)
+        message = "a run resumed later writes its rows to a CSV file"
+        remedy = "Give --csv FILE."
+        raise input_error(
+            key="--checkpoint", value=shown(state_file), message=message, remedy=remedy
+        )
     motion = load_motion(file, overrides=settings)
     chosen = motion.event(event)
     rows_to = streamed(motion.station, csv_file, parquet_file, state_file)

@@ -47,7 +47,9 @@ def set_option(command: _F) -> _F:
 
 def place_options(command: _F) -> _F:
     """Add ``--pulley`` and ``--load-case``."""
-    case = click.option("--load-case", metavar="NAME", help="Load case; the largest running pull.")
+    case = click.option(
+        "--load-case", metavar="NAME", help="Load case; the running one of maximum Te."
+    )
     pulley = click.option("--pulley", metavar="NAME", help="Which pulley; the first if left out.")
     return pulley(case(command))
 

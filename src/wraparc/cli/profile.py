@@ -20,7 +20,9 @@ from wraparc.units import System, display, parse_quantity
     "--unit", default="", metavar="UNIT", help="Unit of both columns, if the file has none."
 )
 @click.option(
-    "--columns", metavar="POSITION,READING", help="Names or numbers, if the names do not tell."
+    "--columns",
+    metavar="POSITION,READING",
+    help="Names or numbers, if the names are not recognised.",
 )
 @click.option("--centred/--from-edge", default=None, help="Where positions count from.")
 def profile(

@@ -51,12 +51,12 @@ SUFFIXES = (".pdf", ".xlsx", ".md")
 @conditions_option
 @set_option
 @click.option("--creep-limit", metavar="LENGTH", help='Creep accepted on every pulley: "10 mm".')
-@click.option("--title", default="", metavar="TEXT", help="Title; that of the drive unless given.")
+@click.option("--title", default="", metavar="TEXT", help="Title; that of the drive if left out.")
 @click.option("--project", default="", metavar="TEXT", help="Project or customer.")
 @click.option("--number", default="", metavar="TEXT", help="Number of the document.")
 @click.option("--revision", default="", metavar="TEXT", help="Its revision.")
 @click.option("--author", default="", metavar="TEXT", help="Who prepared it.")
-@click.option("--date", metavar="TEXT", help="Date to print; today unless given.")
+@click.option("--date", metavar="TEXT", help="Date to print; today if left out.")
 @click.option(
     "--page",
     "page_file",

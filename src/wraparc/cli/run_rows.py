@@ -114,8 +114,8 @@ class Rows:
         while kept < (rows + 1 if rows else 0) and part.readline():
             kept += 1
         if rows and kept < rows + 1:
-            message = f"has {max(kept - 1, 0)} rows; the saved state follows on row {rows}"
-            remedy = "Remove the saved state, and begin anew."
+            message = f"has {max(kept - 1, 0)} rows, and the saved state {rows}"
+            remedy = "Remove the saved state."
             raise input_error(key="--csv", value=part.name, message=message, remedy=remedy)
         part.seek(part.tell())
         part.truncate()
@@ -154,7 +154,7 @@ class Rows:
     def kept(self, others: Sequence[str]) -> str:
         """Say what there is of a run that was cancelled, and which files there are not."""
         parts = " and ".join(str(draft) for draft in self.drafts.values())
-        said = [f"{self.count} rows are kept in {parts}."] if parts else []
+        said = [f"{self.count} rows are saved in {parts}."] if parts else []
         said += [f"{path} was not written." for path in (*self.drafts, *others)]
         if self.state_file:
             said += [f"The same command goes on from {self.state_file}."]

@@ -16,7 +16,7 @@ from wraparc.cli.solve import code_told
 @click.option("--result", required=True, metavar="NAME", help="The result: exit_creep.")
 @click.option("--value", required=True, metavar="VALUE", help='What it is to be: "6 mm".')
 @place_options
-@click.option("--from", "least", metavar="VALUE", help="Least input; a third if left out.")
+@click.option("--from", "least", metavar="VALUE", help="Minimum input; a third if left out.")
 @click.option("--to", "most", metavar="VALUE", help="Most; three times if left out.")
 @answers("values", json="")
 def seek(answer: Answer, file: str, settings: tuple[str, ...], **goal: str | None) -> int:

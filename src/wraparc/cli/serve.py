@@ -23,8 +23,8 @@ if TYPE_CHECKING:
 @click.option(
     "--token",
     metavar="TEXT",
-    help='Access token, required beyond this machine; "new" makes one. Other users see what is '
-    "given here: WRAPARC_TOKEN is safer.",
+    help='Access token, required outside this machine; "new" makes one. Other users see it in the '
+    "list of processes: WRAPARC_TOKEN is safer.",
     envvar="WRAPARC_TOKEN",
 )
 @click.option("--new-token", is_flag=True, help="Replace your token; the old one stops working.")
@@ -67,7 +67,7 @@ def serve(
             start_text=start_text,
             workers=workers if workers is not None else max(1, min(8, os.cpu_count() or 1)),
         )
-        with interrupted(lambda: "Every design that was saved is kept."):
+        with interrupted(lambda: "No saved design is lost."):
             run(settings, tell=_tell, browser=browser)
     return 0
 
@@ -79,8 +79,8 @@ def _token(host: str, given: str | None, new: bool) -> str:
     from wraparc.web.token import own_token
 
     if new and given:
-        message = "replaces your own token, and another is given here"
-        remedy = "Leave out --token and WRAPARC_TOKEN, or --new-token."
+        message = "contradicts the token in --token or WRAPARC_TOKEN"
+        remedy = "Leave out one of the two."
         raise input_error(key="--new-token", message=message, remedy=remedy)
     if given == "new":
         given = secrets.token_urlsafe(24)
@@ -107,7 +107,7 @@ def _checked_token(host: str, token: str | None) -> str:
             key="--host",
             value=shown(host),
             message="the server would be open to the network",
-            remedy="Add --token new, which makes and prints a token, or leave out --host.",
+            remedy="Add --token new, or leave out --host.",
         )
     if not TOKEN.fullmatch(token):
         raise input_error(

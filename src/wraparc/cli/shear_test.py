@@ -45,7 +45,7 @@ def read(
 ) -> int:
     """Read FILES of test machines and show their columns, units, ranges and rows.
 
-    What a file does not say is asked for, never guessed.
+    Missing information is requested, never guessed.
     """
     from wraparc.answer.shear_test_record import record_sheet
     from wraparc.schema.file_kinds import refuse_toml
@@ -110,12 +110,12 @@ def _units(given: tuple[str, ...]) -> dict[str, str]:
     "reports",
     multiple=True,
     metavar="FILE",
-    help="Write the report: .pdf, .png or .html; may be given more than once.",
+    help="Write the report: .pdf, .png or .html; may be repeated.",
 )
 @click.option(
     "--accept-misfit",
     metavar="REASON",
-    help="Write the lagging file of a law that does not describe its tests, and keep the reason.",
+    help="Write the lagging file of a law that does not describe its tests, with the reason in it.",
 )
 @click.option(
     "--compare-laws",
@@ -242,7 +242,7 @@ def _progress() -> Any:
     type=click.FloatRange(0, 0.5),
     default=0.01,
     show_default=True,
-    help="Noise of the force over its largest value.",
+    help="Noise of the force over its maximum.",
 )
 @click.option(
     "--lash",
@@ -283,7 +283,7 @@ def rig(folder: str, lagging: str, pressures: str, **said: Any) -> int:
     """Simulate shear tests of a known friction law: a FOLDER of files, with the plan to fit them.
 
     For trying the reader and the fit, and for teaching: the files look like those of test
-    machines, and the law to be found again is known.
+    machines, and the law to be recovered is known.
     """
     from wraparc.cli.virtual_tests import write_virtual_tests
 

@@ -10,7 +10,7 @@ import click
 from wraparc.answer.sheet import Sheet, shown
 from wraparc.answer.short import short_sheet
 from wraparc.cli.pipe import reader_may_leave
-from wraparc.errors import InputError, Problem, near
+from wraparc.errors import InputError, Problem, name_remedy
 from wraparc.errors import shown as quoted
 from wraparc.render.lines import headline_lines, lines_of, table_lines
 from wraparc.units import System
@@ -63,11 +63,9 @@ def _lines(sheet: Sheet, wanted: Wanted, width: int) -> list[str]:
 
 def no_table(name: str, there: list[str]) -> Problem:
     """Return the problem of a table that an answer does not have."""
-    meant = near(name, there)
-    remedy = f"Did you mean {' or '.join(meant)}? " if meant else ""
     return Problem(
         key="--table",
         value=quoted(name),
         message="no such table in this answer",
-        remedy=f"{remedy}It has {', '.join(there)}.",
+        remedy=name_remedy(name, there),
     )

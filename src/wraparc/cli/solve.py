@@ -33,9 +33,9 @@ SOLVED, FAILS, FAULT = 0, 1, 3
 
 #: Tables of a solved drive, and those that only a train has.
 TABLES = (
-    "checks", "least", "cases", "drives", "conditions", "conveyor", "loads", "width", "strips",
-    "defects", "result", "creep", "capacity", "margins", "constant", "energy", "wear", "life",
-    "inputs",
+    "checks", "least", "cases", "figures", "drives", "conditions", "conveyor", "loads", "width",
+    "strips", "defects", "result", "creep", "capacity", "margins", "constant", "energy", "wear",
+    "life", "inputs",
 )  # fmt: skip
 
 
@@ -45,7 +45,7 @@ TABLES = (
     type=click.Choice(list(METHODS)),
     default="distributed",
     show_default=True,
-    help="The main solver, the paper's march, or both side by side.",
+    help="The main solver, the paper's integration, or both side by side.",
 )
 @click.option("--load-case", metavar="NAME", help="Solve this load case only.")
 @conditions_option
@@ -93,7 +93,7 @@ def solved(
 ) -> "tuple[list[DriveResult], TrainResult | None]":
     """Solve what was read by the methods of a name in `METHODS`; several pulleys are a train.
 
-    The load of a train is always divided by the main solver: the paper's march knows no speeds.
+    The main solver always divides the load of a train: the paper's integration knows no speeds.
     """
     if isinstance(read, Drive) and len(read.pulleys) == 1:
         drive = _with_limit(_with_case(read, load_case, file), creep_limit)

@@ -71,7 +71,8 @@ def study(
 ) -> int:
     """Solve a study FILE: grid, random samples, load cases, Monte Carlo or sensitivity.
 
-    Results are written to a Parquet file as they are solved. Ctrl-C keeps them; --resume continues.
+    Results are written to a Parquet file as they are solved. Ctrl-C leaves them intact; --resume
+    continues.
     """
     from wraparc.cli.event_study import event_study, over_an_event
 

@@ -18,7 +18,7 @@ from wraparc.units import display, parse_quantity
 @click.command()
 @click.option("--drive", "pulley", metavar="PULLEY", help="Drive to trim; the second if left out.")
 @click.option(
-    "--load-case", metavar="NAME", default="", help="Load case; the largest running pull."
+    "--load-case", metavar="NAME", default="", help="Load case; the running one of maximum Te."
 )
 @click.option(
     "--span",
@@ -34,7 +34,7 @@ from wraparc.units import display, parse_quantity
     show_default=True,
     help="Points of every curve.",
 )
-@click.option("--wear", metavar="DEPTH", help="Wear of a drum; 1 mm if not given.")
+@click.option("--wear", metavar="DEPTH", help="Wear of a pulley; 1 mm if left out.")
 @click.option("--map", "with_map", is_flag=True, help="Add a map of share over trim and load.")
 @answers(
     "drives",
@@ -59,9 +59,9 @@ def trim(
 ) -> int:
     """Show how the drives of a train FILE share the load as one speed is trimmed.
 
-    Load shares over speed trim, diameter and load, all other speeds held; where a drive begins to
-    brake or reaches its creep limit; shares with one pulley worn or wet. Verdict and exit code are
-    those of wraparc solve. In gross slip there is nothing to trim.
+    Load shares over speed trim, diameter and load, all other speeds constant; where a drive begins
+    to brake or reaches its creep limit; shares with one pulley worn or wet. Verdict and exit code
+    are those of wraparc solve. In gross slip there is nothing to trim.
     """
     from wraparc.cli.solve import exit_code
 

@@ -45,7 +45,7 @@ def write_virtual_tests(folder: Path, lagging: str, pressures: str, **said: Any)
     writers = _dialects(said["dialects"])
     conditions = _conditions(said["conditions"])
     if said["cover"] and COVER_SHEAR in (of.law.slip_includes or ()):
-        message = "the slip of this law includes the cover shear already: it would be there twice"
+        message = "the slip of this law includes the cover shear already"
         remedy = "Leave --cover out, or test another lagging."
         value = f"{said['cover']:g} mm"
         raise input_error(message=message, remedy=remedy, key="--cover", value=value)
@@ -145,7 +145,7 @@ def _pressures(text: str) -> list[float]:
         ) from None
     if not values or not all(0.0 < value <= 1e7 for value in values):
         raise input_error(
-            message="must be pressures in kPa, more than 0 and at most 10000",
+            message="must be pressures from 0 to 10000 kPa",
             remedy='Write for example --pressures "69 138 276".',
             key="--pressures",
             value=shown(text),
@@ -164,8 +164,8 @@ def _conditions(given: Sequence[str]) -> dict[str, float]:
             factor = 0.0
         if not re.fullmatch(r"[A-Za-z0-9_]{1,30}", name) or not 0.0 < factor <= 10.0:
             raise input_error(
-                message="must be a word, or a word and a factor on friction up to 10",
-                remedy="Write for example --condition dry --condition wet=0.7.",
+                message="must be a name, or NAME=FACTOR up to 10",
+                remedy="Write for example --condition wet=0.7.",
                 key="--condition",
                 value=shown(text),
             )
@@ -177,7 +177,7 @@ def _dialects(names: Sequence[str]) -> list[Dialect]:
     unknown = [name for name in names if name not in DIALECTS]
     if unknown:
         raise input_error(
-            message="no dialect that is known",
+            message="no such dialect",
             remedy=f"The dialects are {', '.join(DIALECTS)}.",
             key="--dialect",
             value=shown(unknown[0]),

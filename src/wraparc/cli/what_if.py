@@ -45,8 +45,8 @@ def what_if(
 ) -> int:
     """Compare a pulley of a drive FILE before and after changes, with the reason for each.
 
-    Every change is one column, made to the drive as it is in the file. Verdicts are for the whole
-    drive, as in wraparc solve; the exit code is that of the drive as it is. Where a check of the
+    Every change is one column, made to the drive of the file. Verdicts are for the whole
+    drive, as in wraparc solve; the exit code is that of the unchanged drive. Where a check of the
     pulley is missed, its load case is shown unless one is named.
     """
     from wraparc.answer.what_if_sheet import what_if_document, what_if_sheet

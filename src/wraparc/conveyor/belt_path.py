@@ -93,10 +93,7 @@ def overlaps(before: Point, pulley: Point, after: Point) -> list[Problem]:
     for end, key in ((before, "before"), (after, "after")):
         distance = math.hypot(end.x - pulley.x, end.y - pulley.y)
         if distance < (end.diameter + pulley.diameter) / 2.0 or distance == 0.0:
-            message = (
-                f"its centre is only {display(distance, 'length')} from that of the pulley, and "
-                "the two overlap"
-            )
+            message = f"overlaps the pulley: their centres are {display(distance, 'length')} apart"
             remedy = "Check the coordinates and the diameters."
             problems.append(Problem(key=key, message=message, remedy=remedy))
     return problems

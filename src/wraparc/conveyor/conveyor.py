@@ -211,10 +211,10 @@ class Conveyor:
         long = display(self.length, "length")
         if abs(self.lift) >= self.length:
             given = display(self.lift, "length")
-            yield Problem(key="lift", value=given, message=f"must be less than the length, {long}")
+            yield Problem(key="lift", value=given, message=f"must be less than the length {long}")
         if self.take_up_distance > self.length:
             given = display(self.take_up_distance, "length")
-            message = f"is more than the length, {long}, which is the tail"
+            message = f"must be at most the length {long}"
             yield Problem(key="take_up_distance", value=given, message=message)
         if self.secondary_resistance is None and self.length_coefficient is None:
             yield from no_coefficient(self.length)
@@ -292,7 +292,7 @@ class Conveyor:
         """Return what keeps the belt from running so."""
         problems = []
         if self.start_factor is not None and states[0].pull <= 0.0:
-            message = "the full conveyor runs by itself, and no factor starts it"
+            message = "no factor starts a conveyor that runs by itself"
             remedy = 'Write start_time = "20 s" instead.'
             problems.append(Problem(key="start_factor", message=message, remedy=remedy))
         for state in states:
@@ -343,7 +343,7 @@ class Conveyor:
             coefficient = _known(self.coefficient, 1.0)
             secondary = (coefficient - 1.0) * main.total
             source = f"{SECONDARY}, C = {coefficient:.3g}"
-            source += "" if self.length_coefficient is None else " (given)"
+            source += "" if self.length_coefficient is None else " (input)"
         yield Resistance("secondary", (1.0 - share) * secondary, share * secondary, source)
         up, down = slope_resistance(self.lift, loaded), -slope_resistance(self.lift, belt)
         yield Resistance("slope", up, down, SLOPE)
@@ -369,7 +369,7 @@ def choices(given: Collection[str]) -> list[Problem]:
     problems = []
     for first, second, example in _EITHER:
         if first in given and second in given:
-            message = f"{first} and {second} both say the same"
+            message = f"means the same as {first}"
             problems.append(Problem(key=second, message=message, remedy="Leave one of them out."))
         elif example != "" and first not in given and second not in given:
             remedy = f"Write {example}, or {second}."
@@ -383,10 +383,7 @@ def choices(given: Collection[str]) -> list[Problem]:
 
 def _slack(state: State, least: float) -> Problem:
     """Return the problem of a load case in which the belt is pushed."""
-    where = "beside the drive pulley" if least in (state.entry, state.exit) else "at the far end"
-    message = (
-        f"leaves a belt tension of {display(least, 'force')} {where} in load case "
-        f"{state.name}, and a belt cannot push"
-    )
+    where = "at the drive pulley" if least in (state.entry, state.exit) else "at the far end"
+    message = f"leaves {display(least, 'force')} {where} in load case {state.name}"
     remedy = "Give a larger take-up tension."
     return Problem(key="take_up_tension", message=message, remedy=remedy)

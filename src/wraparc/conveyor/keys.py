@@ -14,7 +14,11 @@ CONVEYOR = Table(
     ),
     Entry("lift", "From tail to head, negative downhill; 0 if left out."),
     Entry("belt_mass", "Mass of the belt per length; or mass of [belt]."),
-    need("carry_idler_mass", "Rotating mass of the carrying idlers per length."),
+    need(
+        "carry_idler_mass",
+        "Rotating mass of the carrying idlers per length.",
+        title="Carrying idler mass",
+    ),
     need("return_idler_mass", "Rotating mass of the return idlers per length."),
     Entry("material_mass", "Mass of the material per length of full belt; or capacity."),
     Entry("capacity", "Mass flow of the full belt; needs the belt speed."),
@@ -29,10 +33,13 @@ CONVEYOR = Table(
         "return_share",
         "Part of secondary and special resistances on the return strand; 0 if left out.",
     ),
-    Entry("start_factor", "Pull while starting over that of the full conveyor; or start_time."),
+    Entry(
+        "start_factor",
+        "Effective tension while starting over that of the full conveyor; or start_time.",
+    ),
     Entry("start_time", "From rest to full speed at constant acceleration."),
     Entry("stop_time", "From full speed to rest at constant deceleration."),
-    Entry("take_up_tension", "Belt tension that the take-up holds; or counterweight."),
+    Entry("take_up_tension", "Belt tension at the take-up; or counterweight."),
     Entry("counterweight", "Mass of the counterweight, at the sheave_ratio of [take_up]."),
     Entry(
         "take_up_distance",

@@ -90,8 +90,8 @@ def no_coefficient(length: float) -> list[Problem]:
         Problem(
             key="length",
             value=display(length, "length"),
-            message=f"is below {least:g} m, where no coefficient C is tabulated",
-            remedy="Give secondary_resistance, or a length_coefficient of your own.",
+            message=f"below {least:g} m, where no coefficient C is tabulated",
+            remedy="Give secondary_resistance or length_coefficient.",
         )
     ]
 

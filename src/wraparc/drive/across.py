@@ -63,7 +63,7 @@ class WidthProfile:
                 Problem(
                     key="rows",
                     value=display(wrong[0], "length"),
-                    message="the positions must ascend from one edge of the belt to the other",
+                    message="the positions must ascend",
                     remedy="Sort the rows by position, the middle of the belt being 0.",
                 )
             )
@@ -93,9 +93,9 @@ class WidthProfile:
             Problem(
                 key=key,
                 value=display(beyond[0], "length"),
-                message=f"beyond the belt, which reaches from {display(-0.5 * width, 'length')} "
-                f"to {display(0.5 * width, 'length')}",
-                remedy="Give positions from the middle of the belt, and leave out rows beside it.",
+                message=f"must be between {display(-0.5 * width, 'length')} "
+                f"and {display(0.5 * width, 'length')}, the edges",
+                remedy="Give positions from the middle of the belt.",
             )
         ]
 
@@ -229,7 +229,7 @@ class Across:
                 Problem(
                     key=f"{key}.before.centre_roll",
                     value=display(self.before.centre_roll, "length"),
-                    message=f"wider than the belt, {display(width, 'length')}",
+                    message=f"must be less than the belt width {display(width, 'length')}",
                     remedy="Give the width of belt on the centre roll.",
                 )
             )

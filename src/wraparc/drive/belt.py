@@ -127,47 +127,43 @@ class Belt:
         """Return what contradicts in diameter and pitch of the cords."""
         diameter, pitch, carcass = self.cord_diameter, self.cord_pitch, self.carcass
         if diameter is not None and carcass is not None and abs(diameter - carcass) > 1e-6:
-            message = f"{display(diameter, 'length')}, and carcass is {display(carcass, 'length')}"
-            remedy = "Of steel cord both are one number: leave one of them out."
-            return [Problem(message=message, remedy=remedy, key="cord_diameter")]
+            message = f"must equal the carcass {display(carcass, 'length')}"
+            value, remedy = display(diameter, "length"), "Leave one of them out."
+            return [Problem(message=message, remedy=remedy, key="cord_diameter", value=value)]
         cord = self.cord
         if pitch is None:
             return []
         if cord is None:
             remedy = 'Write cord_diameter = "5.6 mm", or leave cord_pitch out.'
-            message = f"{display(pitch, 'length')} without cord_diameter"
-            return [Problem(message=message, remedy=remedy, key="cord_pitch")]
+            return [Problem(message="needs cord_diameter", remedy=remedy, key="cord_pitch")]
         if pitch <= cord:
-            message = (
-                f"{display(pitch, 'length')}, at most the cord diameter {display(cord, 'length')}"
-            )
-            remedy = "The pitch is the distance between the axes of neighbouring cords."
-            return [Problem(message=message, remedy=remedy, key="cord_pitch")]
+            message = f"must be more than the cord diameter {display(cord, 'length')}"
+            value, remedy = display(pitch, "length"), "Give the distance between cord axes."
+            return [Problem(message=message, remedy=remedy, key="cord_pitch", value=value)]
         return []
 
     def _layer_problems(self) -> list[Problem]:
         """Return what is wrong with the layers together."""
         of = {key: getattr(self, key) for key in LAYERS} | {"carcass": self.cord}
-        given = {key: value for key, value in of.items() if value is not None}
-        total, whole = sum(given.values()), self.thickness
-        short, key, remedy = total <= MOST_THICKNESS, THICKNESS, ""
+        known = {key: value for key, value in of.items() if value is not None}
+        total, whole, layers = sum(known.values()), self.thickness, " + ".join(known)
         if whole is None:
-            key = next(iter(given), THICKNESS)
-            message = f"more than {display(MOST_THICKNESS, 'length')}, the thickest belt"
-            remedy = "Check their units."
+            if total <= MOST_THICKNESS:
+                return []
+            message = f"{layers} must be at most {display(MOST_THICKNESS, 'length')}"
+            key, value, remedy = next(iter(known), THICKNESS), total, "Check their units."
         else:
-            rounding = 1e-9 * whole
+            key, value, rounding = THICKNESS, whole, 1e-9 * whole
             # a cover may be nothing, a carcass may not
-            short = total <= whole + (rounding if self.cord is not None else -rounding)
-            message = f"too much for a belt of {display(whole, 'length')}"
-            remedy = "Give the thickness of the whole belt, or leave it out."
-            if len(given) == len(LAYERS) and total < 0.98 * whole:
-                short, message = False, f"and the belt is {display(whole, 'length')} thick"
-                remedy = "Leave out the one of the four that is not known."
-        if short:
-            return []
-        message = f"{' + '.join(given)} = {display(total, 'length')}, {message}"
-        return [Problem(message=message, remedy=remedy, key=key)]
+            least, sign = ("at least", 1.0) if self.cord is not None else ("more than", -1.0)
+            thin = len(known) == len(LAYERS) and total < 0.98 * whole
+            if total <= whole + sign * rounding and not thin:
+                return []
+            message = (
+                f"must be {'at most' if thin else least} {layers} = {display(total, 'length')}"
+            )
+            remedy = "Leave one out." if thin else "Correct or omit it."
+        return [Problem(message=message, remedy=remedy, key=key, value=display(value, "length"))]
 
     @property
     def cord(self) -> float | None:

@@ -12,7 +12,7 @@ from wraparc.drive.conditions import Condition
 from wraparc.drive.drive import Drive
 from wraparc.drive.lagging import Lagging
 from wraparc.drive.pulley import Pulley
-from wraparc.errors import input_error, shown
+from wraparc.errors import input_error, name_remedy, shown
 from wraparc.friction import Constant
 from wraparc.provenance import Kind, Provenance
 from wraparc.units import display
@@ -68,8 +68,8 @@ def worn_to(drive: Drive, pulley: str, thickness: float) -> Drive:
         raise input_error(
             key="worn",
             value=given,
-            message=f"a lagging that is {now} thick cannot wear to that",
-            remedy="Give the thickness that is left, or change the thickness itself.",
+            message=f"must be at most the lagging thickness {now}",
+            remedy="Give the thickness left after wear.",
         )
     diameter = base.diameter - 2.0 * (base.lagging.thickness - thickness)
     worn = _as_thick(base, thickness)
@@ -134,9 +134,8 @@ def other_carcass(belt: Belt) -> CatalogueBelt:
         raise input_error(
             key="belt",
             value=shown(belt.name),
-            message="its rating and whether it is fabric or steel cord must be known to find "
-            "the other carcass of the same rating",
-            remedy="Give rating and kind, or name the other belt.",
+            message="needs rating and kind to find the other carcass",
+            remedy="Give both, or name the other belt.",
         )
     others = [b for b in belts() if b.kind != belt.kind]
     rating = belt.rating
@@ -161,7 +160,7 @@ def bare(drive: Drive, pulley: str, standard: str, condition: str = "dry") -> tu
         raise input_error(
             value=shown(standard),
             message=f"no design value of a bare pulley, {condition}",
-            remedy=f"Those of {', '.join(known)} are known.",
+            remedy=name_remedy(standard, known),
         )
     lagging = _bare_lagging(design, condition)
     source = lagging.provenance

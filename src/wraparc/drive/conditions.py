@@ -15,7 +15,7 @@ from typing import ClassVar
 from wraparc.catalogue import DesignFriction, design_friction
 from wraparc.drive import Lagging
 from wraparc.drive.criteria import is_wet
-from wraparc.errors import InputError, Problem, input_error, nearest, shown
+from wraparc.errors import InputError, Problem, format_names, input_error, nearest, shown
 from wraparc.provenance import Kind, Provenance
 from wraparc.schema.limits import Limit, limit_problems, raise_all
 
@@ -62,7 +62,7 @@ class Condition:
         factors = {"factor": self.factor, **self.factors}
         if not is_wet(self.name):
             return []
-        message, remedy = "more friction wet than dry", "Give friction when wet over dry, 0.8 say."
+        message, remedy = "more friction wet than dry", "Give friction wet over dry, such as 0.8."
         return [
             Problem(key=key, value=f"{factor:g}", message=message, remedy=remedy)
             for key, factor in factors.items()
@@ -142,23 +142,11 @@ class Condition:
 
     def _uncovered(self, lagging: Lagging) -> Problem:
         known = published_conditions(lagging.surface)
-        covered = f"of {lagging.surface} {', '.join(known)}" if known else "of its surface none"
-        if not lagging.surface:
-            covered = "its surface is not said, so that no published value applies"
-        name = shown(self.name)
+        more = "a law to the lagging" if lagging.surface else "surface to the lagging"
         return Problem(
             key=f"condition.{self.name}",
-            message=f"lagging {shown(lagging.name)} was tested {lagging.condition}, and nothing is "
-            f"published on its friction when {self.name} (covered: {covered})",
-            remedy=" ".join(
-                part
-                for part in (
-                    nearest(self.name, known),
-                    f"Give what it leaves of the friction, condition = {{ name = {name}, "
-                    "friction_factor = 0.8 }, or add a law for it to the lagging.",
-                )
-                if part
-            ),
+            message=f"lagging {shown(lagging.name)} has no friction in this condition",
+            remedy=nearest(self.name, known) or f"Give a friction_factor, or add {more}.",
         )
 
 
@@ -211,8 +199,8 @@ def design_ratio(
         raise input_error(
             key=f"condition.{condition}",
             value=shown(standard),
-            message=f"no design values of surface {shown(surface)} both {tested} and {condition}",
-            remedy=f"{', '.join(known)} have dry, wet, and wet and dirty; or state a factor.",
+            message=f"no design values {tested} and {condition} of surface {shown(surface)}",
+            remedy=f"Give a factor, or one of {format_names(known)}.",
         )
     low, high = here.friction[0] / dry.friction[1], here.friction[1] / dry.friction[0]
     band = f", {low:.3g} to {high:.3g}" if low < high else ""

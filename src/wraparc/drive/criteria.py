@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import ClassVar, Literal
 
 from wraparc.conveyor import GRAVITY
-from wraparc.errors import Problem, nearest, shown
+from wraparc.errors import Problem, name_remedy, shown
 from wraparc.schema.limits import Limit, limit_problems, raise_all
 
 #: States of a conveyor that differ in their safety factors and in what a belt may bear.
@@ -69,7 +69,7 @@ class TakeUp:
         problems = limit_problems(self, self.LIMITS)
         problems += choice_problems(self, {"kind": ("", *TAKE_UPS)})
         if self.after and self.fixed:
-            message = "a fixed take-up holds the sum of both tensions wherever it stands"
+            message = "a fixed take-up needs no place"
             remedy = "Leave it out, or correct the kind."
             given = shown(self.after)
             problems.append(Problem(key="after", value=given, message=message, remedy=remedy))
@@ -83,12 +83,8 @@ class TakeUp:
         """Return a problem if it stands behind a pulley that is none of these."""
         if not self.after or self.after in pulleys:
             return []
-        message = f"no such pulley; the pulleys are {', '.join(map(shown, pulleys))}"
-        remedy = nearest(self.after, pulleys) or (
-            "Leave it out for a take-up on the slack side of the drives or at the tail."
-        )
-        given = shown(self.after)
-        return [Problem(key="take_up.after", value=given, message=message, remedy=remedy)]
+        given, remedy = shown(self.after), name_remedy(self.after, pulleys)
+        return [Problem(key="take_up.after", value=given, message="no such pulley", remedy=remedy)]
 
     @property
     def fixed(self) -> bool:
@@ -134,7 +130,7 @@ class DesignStandard:
         problems = limit_problems(self, self.LIMITS) + choice_problems(self, words)
         if (self.name == "own") != (self.friction is not None):
             given = "" if self.friction is None else f"{self.friction:g}"
-            message = "missing, where the standard is your own"
+            message = "missing for a standard of your own"
             remedy = "Write friction = 0.30 beside it."
             if given:
                 message, remedy = "only a standard of your own has one", 'Write name = "own".'

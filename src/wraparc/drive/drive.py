@@ -108,8 +108,8 @@ class Drive(Viewable):
             other = display(self.conveyor.belt_mass, "mass_per_length")
             problems.append(
                 Problem(
-                    message=f"the belt of [conveyor] has belt_mass = {other}",
-                    remedy="Both are the mass of a metre of belt: give one, or the same twice.",
+                    message=f"must equal belt_mass {other} of [conveyor]",
+                    remedy="Give one of them, or the same twice.",
                     key="belt.mass",
                     value=display(mass, "mass_per_length"),
                 )
@@ -187,7 +187,7 @@ class Drive(Viewable):
             away = any(abs(end - held) > SAME_TENSION * held for end in ends)
             return "at the take-up" if away else ""
         if take_up.fixed:
-            return "" if _alike(ends) else f"of the slack side in load case {self.load_case().name}"
+            return "" if _alike(ends) else f"behind the drives in load case {self.load_case().name}"
         steady = self._steady_end
         if steady == "entry" and not take_up.after:
             return f"at the take-up ahead of pulley {self.pulleys[0].name}"
@@ -245,8 +245,8 @@ def side_problems(belt: Belt, pulleys: Iterable[Pulley]) -> list[Problem]:
         return []
     return [
         Problem(
-            message="the pulley meets the carry side, and carry_cover of the belt is not given",
-            remedy='Give carry_cover = "5 mm" in [belt], or thickness with the other layers.',
+            message="needs carry_cover of the belt",
+            remedy='Write carry_cover = "5 mm" in [belt].',
             key=f"pulley.{pulley.name}.side",
             value=shown(pulley.side),
         )
@@ -282,10 +282,9 @@ def flying_problems(belt: Belt, key: str, least: float) -> list[Problem]:
         return []
     return [
         Problem(
-            message=f"the belt presses on no pulley: m v^2 = {display(force, 'force')}, with a "
-            f"mass of {display(belt.mass or 0.0, 'mass_per_length')}, and its least tension is "
+            message=f"m v^2 = {display(force, 'force')} of the belt exceeds its tension "
             f"{display(least, 'force')}",
-            remedy="Give the mass of a metre of belt, not that of the whole belt.",
+            remedy="Give the mass of one metre of belt.",
             key=key,
         )
     ]
@@ -297,7 +296,7 @@ def condition_problems(case: str, condition: str, pulleys: Iterable[Pulley]) -> 
         Problem(
             key=f"load_case.{case}.condition",
             value=shown(condition),
-            message=f"pulley {shown(p.name)} does not say its lagging in this condition",
+            message=f"pulley {shown(p.name)} has no lagging in this condition",
         )
         for p in pulleys
         if condition and condition not in (lagging.condition for lagging in p.conditions)
@@ -313,7 +312,7 @@ def covered_problems(
     wet = next(filter(is_wet, every), "")
     if not (criteria.covered and wet):
         return []
-    message = f"a covered drive never runs wet, and condition {shown(wet)} is given"
+    message = f"contradicts condition {shown(wet)}"
     remedy = "Leave out covered or the condition."
     return [Problem(key="covered", value="true", message=message, remedy=remedy)]
 

@@ -148,16 +148,16 @@ def _outside(
     if value is None:
         return []
     if table is None:
-        message = f"given, and the law has no {key}_factor"
-        remedy = f"Leave it out, or add [law.{key}_factor] with its source."
+        message = f"the law has no {key}_factor"
+        remedy = f"Leave it out, or add [law.{key}_factor]."
         return [Problem(key=key, value=display(value, dimension), message=message, remedy=remedy)]
     low, high = (0.0 if key == "slip_speed" else table.at[0]), table.at[-1]
     if low <= value <= high:
         return []
-    ends = f"{display(table.at[0], dimension)} to {display(high, dimension)}"
-    message = f"outside the {ends} that its factor is known for"
+    ends = f"{display(table.at[0], dimension)} and {display(high, dimension)}"
+    message = f"must be between {ends}, where its factor is known"
     return [Problem(key=key, value=display(value, dimension), message=message,
-                    remedy="Test the lagging there, and add the factor to its table.")]  # fmt: skip
+                    remedy="Test the lagging there.")]  # fmt: skip
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -32,9 +32,8 @@ def hours_problems(hours: Mapping[str, float], key: str = "hours") -> list[Probl
     total = sum(hours.values())
     if problems or total <= YEAR:
         return problems
-    message = f"{total:g} in all, and a year has {YEAR:g}"
-    remedy = "Give each load case the hours of a year that it runs."
-    return [Problem(key=key, message=message, remedy=remedy)]
+    message, remedy = f"must sum to at most {YEAR:g}", "Give hours in one year."
+    return [Problem(key=key, value=f"{total:g}", message=message, remedy=remedy)]
 
 
 class Kinded(Protocol):

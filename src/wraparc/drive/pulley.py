@@ -88,9 +88,9 @@ class Pulley:
                 Problem(
                     key="across.worn_depth",
                     value=display(worn.largest, "length"),
-                    message="deeper than the lagging is thick, "
+                    message="must be less than the lagging thickness "
                     + display(self.lagging.thickness, "length"),
-                    remedy="Give the depth worn off, on radius, not what is left.",
+                    remedy="Give the depth worn off, on radius.",
                 )
             )
         raise_all(problems)

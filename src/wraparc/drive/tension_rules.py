@@ -14,7 +14,7 @@ from wraparc.drive.load_case import pull_of_power, pull_of_torque
 #: Keys that all fix the effective tension.
 EFFECTIVE = ("effective_tension", "torque", "power")
 ENDS = ("entry_tension", "exit_tension")
-FEW = "Give two of entry_tension, exit_tension and one of effective_tension, torque, power."
+FEW = "Give two of entry_tension, exit_tension, effective_tension (torque, power)."
 ONE_TOO_MANY = "Leave one of them out."
 #: Difference of two pulls over the larger that is rounding [-].
 _ALIKE = 1e-6
@@ -206,16 +206,13 @@ def fault_of(
         return None
     if len(pulls) > 1:
         return LoadFault(f"{listed(pulls)} each fix the effective tension", ONE_TOO_MANY, "")
-    message = f"{listed(given)} are given, and two of them fix the third"
+    message = f"{listed(given)} are one too many"
     pull, ends = pull_given(of, at), ends_of(of, at)
     if pull is not None and ends.entry is not None and ends.exit is not None:
         between = ends.entry - ends.exit
         if abs(pull - between) > _ALIKE * abs(between):
-            message = (
-                f"{listed(given)} contradict each other: entry less exit tension is "
-                f"{force(between)}, {pulls[0]} makes {force(pull)}"
-            )
-    remedy = "Give two of them in the load case: they replace those of the pulley."
+            message = f"{pulls[0]} makes {force(pull)}, the tensions {force(between)}"
+    remedy = "Give two of them in the load case."
     return LoadFault(message, remedy if inherited else ONE_TOO_MANY, "")
 
 
@@ -231,8 +228,8 @@ def too_few(of: LoadGiven) -> LoadFault:
     """What is said where the tensions do not follow."""
     given = families(of)
     if len(given) == 0:
-        return LoadFault("no tensions are given", FEW, "tensions")
-    message = f"only {given[0]} is given, and it takes two quantities to fix the tensions"
+        return LoadFault("tensions missing", FEW, "tensions")
+    message = f"{given[0]} alone does not fix the tensions"
     return LoadFault(message, FEW, "tensions")
 
 

@@ -114,9 +114,8 @@ class Profile(Kind):
             return True
         report.add(
             place,
-            f"a deviation of the radius is expected, at most {display(_LARGEST, 'length')}",
-            "Give deviations from the even radius; for those of the diameter, or diameters, write "
-            '{ rows = [...], on = "diameter" }.',
+            f"must be a deviation of radius up to {display(_LARGEST, 'length')}",
+            'Correct it, or write on = "diameter".',
             quantity_text(worst / half, "length"),
         )
         return False
@@ -167,7 +166,7 @@ ACROSS = Table(
     Entry("build_up", "Material stuck to the pulley, on radius.",
           Profile("length", diameters=True)),
     Entry("misalignment", "Skew of the pulley in the plane of the bisector of its wrap, as slope."),
-    Entry("deflection", "How far the middle of the face is pulled in, relative to its edges."),
+    Entry("deflection", "How far the middle of the face is drawn in, relative to its edges."),
     Entry("entry_profile", "Deviation of the belt tension far before the pulley.",
           Profile("force_per_width")),
     Entry("before", "What the span before comes from; far if left out.", WordOr(_FAR, BEFORE)),

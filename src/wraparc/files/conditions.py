@@ -104,7 +104,7 @@ def refuse_several(drive: Drive, what: str) -> None:
             key="condition",
             value=shown(list(drive.conditions)),
             message=f"{what} a drive in one condition",
-            remedy='Write one, condition = "wet", and none in the load cases.',
+            remedy='Write one, such as condition = "wet".',
         )
 
 

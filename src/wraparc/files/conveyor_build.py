@@ -23,17 +23,17 @@ def build_conveyor(
     pulleys = [item for item in record.get("pulley") or () if isinstance(item, Record)]
     _refuse_tensions(record, pulleys, report)
     if take_up.fixed:
-        message = "a fixed take-up holds another tension in every load case, and [conveyor] has one"
-        remedy = "Give the tensions of each load case instead of [conveyor]."
+        message = "a fixed take-up does not go with [conveyor]"
+        remedy = "Give tensions of each load case."
         report.add(("take_up", "kind"), message, remedy, take_up.kind)
     if len(record.get("pulley") or ()) > 1:
-        message = f"gives the tensions of one drive pulley, and there are {len(record['pulley'])}"
+        message = f"goes with one drive pulley, not {len(record['pulley'])}"
         report.add(("conveyor",), message, "Put the tensions of a train into [train].")
     given = record.get("conveyor")
     if not isinstance(given, Record):
         return None, ()
     if take_up.after:
-        message = "the [conveyor] table says where its take-up stands, take_up_distance"
+        message = "contradicts take_up_distance of [conveyor]"
         report.add(("take_up", "after"), message, "Leave it out.", take_up.after)
     mass = None if belt is None else belt.mass
     conveyor = _conveyor(given, record.get("belt"), mass, take_up, report)

@@ -215,7 +215,7 @@ def _at_home(error: InputError) -> InputError:
     return InputError(
         problem
         if problem.key or problem.line or not problem.file
-        else Problem(message=f"{problem.file} {problem.message}", remedy=problem.remedy)
+        else Problem(message=f"{problem.file}: {problem.message}", remedy=problem.remedy)
         for problem in error.problems
     )
 

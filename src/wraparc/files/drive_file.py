@@ -92,8 +92,8 @@ def drive_from_document(
     if "train" in document:
         check_format(document, file)
         report = Report(file)
-        message = "a train of drives on one belt, which is no plain drive"
-        report.add(("train",), message, "Read it with wraparc.load_train or wraparc.load_drive.")
+        message = "is of a train, no single drive"
+        report.add(("train",), message, "Use wraparc.load_train.")
         report.raise_all()
     record, report = read_tables(DRIVE, document, file)
     belt_record = record.get("belt")

@@ -55,8 +55,16 @@ BELT = Table(
         "momentary_factor",
         "Tension allowed while starting and braking over the rating; 1 if left out.",
     ),
-    Entry("least_pulley_diameter", "Smallest drive pulley that the maker allows."),
-    Entry("largest_wrap_pressure", "Largest pressure on the pulley face that the maker allows."),
+    Entry(
+        "least_pulley_diameter",
+        "Smallest drive pulley that the maker allows.",
+        title="Minimum pulley diameter",
+    ),
+    Entry(
+        "largest_wrap_pressure",
+        "Maximum pressure on the pulley face that the maker allows.",
+        title="Maximum wrap pressure",
+    ),
     Entry(
         "in_plane_shear_stiffness",
         "Shear force per width over shear strain in the plane of the belt; estimated from the "
@@ -97,7 +105,7 @@ TENSIONS = (
     Entry(
         "torque",
         "Torque on the pulley, effective tension times D/2 and the offset of the tension member, "
-        "if the layers of the belt are given; negative when braking.",
+        "if the belt layers are stated; negative when braking.",
         Quantity("torque"),
     ),
     Entry(
@@ -125,7 +133,7 @@ PULLEY = Table(
     need("name", "Name of the pulley.", Name(), example='name = "head"'),
     known("diameter", required=True),
     known("wrap_angle", required=True, alias="wrap", unless="belt_path"),
-    Entry("belt_path", "Where the pulleys stand, instead of the wrap angle.", BELT_PATH),
+    Entry("belt_path", "Coordinates of the pulleys, instead of the wrap angle.", BELT_PATH),
     need(
         "lagging",
         "Catalogue name, name of a [lagging.NAME] table, path of a lagging file, or a table.",
@@ -139,8 +147,8 @@ PULLEY = Table(
     known("creep_limit"),
     Entry(
         "side",
-        "Side of the belt that meets the pulley: pulley (if left out), or carry, as on one pulley "
-        "of an S-wrap.",
+        "Side of the belt that meets the pulley: pulley (if left out), or its other side, as "
+        "on one pulley of an S-wrap.",
         Choice(SIDES),
         title="Belt side",
     ),
@@ -162,7 +170,7 @@ LOAD_CASE = Table(
     Entry("condition", "Dry, wet ...; that of the drive if left out.", _CONDITION),
     Entry(
         "pulley",
-        "Tensions by pulley; those not named keep their own.",
+        "Tensions by pulley; those not named retain their own.",
         ByName(Table("Tensions", *TENSIONS)),
         title="Tensions",
     ),
@@ -178,33 +186,35 @@ TAKE_UP = Table(
     "Take-up",
     Entry(
         "kind",
-        "Gravity and winch hold the slack-side tension; fixed holds the sum of both.",
+        "Gravity and winch fix the slack-side tension; fixed means a constant sum of both.",
         Choice(TAKE_UPS),
         title="Take-up",
     ),
-    Entry("sheave_ratio", "Pull of the counterweight over the belt tension; 2 if left out."),
+    Entry("sheave_ratio", "Force of the counterweight over the belt tension; 2 if left out."),
     Entry(
         "after",
-        "Pulley behind which it stands between drives; if left out, on the slack side of all.",
+        "Pulley behind which it is, between drives; if left out, behind the last drive.",
         Name(),
         title="Behind pulley",
     ),
     of=TakeUp,
 )
 DESIGN_STANDARD = Table(
-    "Design standard of the slack side",
-    Entry("name", "CEMA if left out; none asks for nothing.", Choice(STANDARDS), title="Standard"),
+    "Design standard of T2",
+    Entry("name", "CEMA if left out; none for no standard.", Choice(STANDARDS), title="Standard"),
     Entry("condition", "That of the lagging if left out.", Choice(CONDITIONS)),
     Entry("friction", "Design friction of a standard of your own."),
     Entry(
-        "start_factor", "Pull to design for over the pull of a running load case; 1 if left out."
+        "start_factor", "Design effective tension over that of a running load case; 1 if left out."
     ),
     Entry("binding", "Whether a drive below the standard fails."),
     of=DesignStandard,
 )
 SAFETY = Table(
     "Safety factors on gross slip",
-    Entry("running", "Pull at gross slip over the pull; 1.25 if left out."),
+    Entry(
+        "running", "Effective tension at gross slip over the effective tension; 1.25 if left out."
+    ),
     Entry("starting", "1.1 if left out."),
     Entry("braking", "1.1 if left out."),
     Entry("source", "Where the factors came from.", Text(500)),
@@ -228,13 +238,11 @@ SAG = Table(
 )
 #: What a drive is held against, by the part of `wraparc.drive.Criteria`.
 CRITERIA = (
-    Entry("take_up", "What keeps the belt tight.", TAKE_UP, title="Take-up"),
-    Entry(
-        "design_standard", "The slack side is held to it.", DESIGN_STANDARD, attribute="standard"
-    ),
+    Entry("take_up", "What tensions the belt.", TAKE_UP, title="Take-up"),
+    Entry("design_standard", "Standard for the minimum T2.", DESIGN_STANDARD, attribute="standard"),
     Entry(
         "safety_factor",
-        "Least pull at gross slip over the pull.",
+        "Minimum effective tension at gross slip over the effective tension.",
         SAFETY,
         title="Safety factors",
         attribute="safety",

@@ -139,17 +139,17 @@ def _elasticity(
     if "thickness" not in record:
         if given:
             place = (*record.place, "thickness")
-            report.add(place, f"missing, where {given[0]} is given", 'Write thickness = "12 mm".')
+            report.add(place, f"missing: {given[0]} needs it", 'Write thickness = "12 mm".')
         return {}
     if "compression_modulus" in record and "block" in record:
-        message = "given, and the compression modulus as well"
-        report.add((*record.place, "block"), message, "Keep one of them.")
+        message = "contradicts compression_modulus"
+        report.add((*record.place, "block"), message, "Remove one of them.")
         return {}
     known = "elastic_modulus" in record or "shear_modulus" in record
     if not known and record["thickness"] > 0.0:
         place = (*record.place, "shear_modulus")
-        remedy = "Give shear_modulus, or elastic_modulus, of which it is a third."
-        report.add(place, "missing, and the lagging is not rigid", remedy)
+        remedy = "Give shear_modulus or elastic_modulus."
+        report.add(place, "missing for a lagging with thickness", remedy)
         return {}
     stated = {key: record[key] for key in _MEASURED if key in record}
     return stated | _estimated(record, sources, provenance, report) if known else stated
@@ -163,7 +163,7 @@ def _estimated(
     shape = record.get("block", record.get("replaced_block", {}))
     height = {} if "height" in shape else {"height": record["thickness"]}
     if "block" in record and height and record["thickness"] < least:
-        message = f"must be at least {display(least, 'length')}, the height of its blocks"
+        message = f"must be at least {display(least, 'length')} with blocks"
         remedy = "Give the thickness, or a lagging without blocks."
         report.add((*record.place, "thickness"), message, remedy, record.raw.get("thickness"))
         return {}

@@ -4,9 +4,9 @@ import os
 from collections.abc import Iterable
 from functools import lru_cache
 
-from wraparc.catalogue import lagging_names, lagging_text
+from wraparc.catalogue import lagging_text
 from wraparc.drive import Lagging
-from wraparc.errors import input_error, nearest, shown
+from wraparc.errors import input_error, name_remedy, shown
 from wraparc.files.lagging_build import build_laggings
 from wraparc.files.lagging_keys import LAGGING_FILE
 from wraparc.schema.file_kinds import refuse_other
@@ -90,10 +90,9 @@ def pick_condition(laggings: Iterable[Lagging], condition: str | None) -> Laggin
     found = next((lagging for lagging in laggings if lagging.condition == condition), None)
     if found is None:
         known = [lagging.condition for lagging in laggings]
-        message = f"lagging {shown(laggings[0].name)} has no law for this condition, only for "
         raise input_error(
-            message=message + ", ".join(shown(name) for name in known),
-            remedy=nearest(condition, known) or "Choose one of them, or add a law to its file.",
+            message=f"lagging {shown(laggings[0].name)} has no law for this condition",
+            remedy=name_remedy(condition, known),
             key="condition",
             value=shown(condition),
         )
@@ -117,9 +116,8 @@ def lagging_record(name_or_path: str, folder: str, allow_paths: bool) -> tuple[R
         return _catalogue_record(name_or_path, text), f"catalogue lagging {name_or_path}"
     if not allow_paths:
         raise input_error(
-            message="the path of a file cannot be used here",
-            remedy=f"Choose one of {', '.join(lagging_names())}, or put the lagging into "
-            "the drive file as a [lagging.NAME] table.",
+            message="cannot be a path here",
+            remedy="Write a catalogue name, or add a [lagging.NAME] table.",
             value=shown(name_or_path),
         )
     path = os.path.join(folder, name_or_path)

@@ -38,7 +38,7 @@ _NOTES = Rows(Text(2000, lines=True), most=50)
 
 
 BLOCK = Table(
-    "Blocks that carry the pressure",
+    "Blocks that take the pressure",
     Entry("shape", "In plan: square, or a strip much longer than wide.", Choice(SHAPES)),
     need("width", "Side of the square, width of the strip."),
     Entry("height", "Rubber that is compressed; else the thickness."),
@@ -175,7 +175,7 @@ _LAW = (
     Entry("fit", "Statistics of the fit.", FIT),
     Entry(
         "slip_includes",
-        "What the slip holds besides the sliding, [] for nothing; not known if left out.",
+        "What the slip contains besides the sliding, [] for nothing; not known if left out.",
         Rows(Choice(SLIP_INCLUDES), most=2),
     ),
     Entry("slip_speed_factor", "What slip speed does to the tested friction.", SPEED_FACTOR),
@@ -190,7 +190,7 @@ _TESTED = (
         Rows(_PRESSURE, 2, 2),
         title="Tested pressures",
     ),
-    Entry("tested_slip", "Largest slip of the tests.", _SLIP),
+    Entry("tested_slip", "Maximum slip of the tests.", _SLIP),
     Entry(
         "tested_slip_speed",
         "Speed of slip in the tests.",
@@ -213,7 +213,7 @@ LAW = Variant(
         Entry("pressure_unit", "Unit of p in the equations.", Text(20), title="Unit of pressure"),
         Entry(
             "continuity",
-            "Largest step between pieces, relative; 0.02 if left out.",
+            "Maximum step between pieces, relative; 0.02 if left out.",
             Quantity("number", Limit("number", most=0.5)),
         ),
         of=IntegralLog,
@@ -295,12 +295,12 @@ _LAGGING = (
     Entry("cost", "What it costs on one pulley.", COST),
     Entry(
         "slip_speed",
-        "Largest slip speed it is used at, for slip_speed_factor; its table's if left out.",
+        "Maximum slip speed it is used at, for slip_speed_factor; its table's if left out.",
         Quantity("speed", Limit("speed", open=True)),
     ),
     Entry(
         "temperature",
-        "Temperature it is used at, for temperature_factor; the least factor if left out.",
+        "Temperature it is used at, for temperature_factor; the minimum factor if left out.",
         Quantity("temperature", Limit("temperature")),
     ),
     Entry(

@@ -66,20 +66,20 @@ def _tested(record: Record, ends: tuple[float, float] | None = None) -> TestedRa
         if pressures is not None:
             raise _problem(
                 "tested_pressure",
-                "the tested pressures are the ends of the knots or pieces",
+                "contradicts the ends of knots or pieces",
                 "Leave it out.",
                 shown(record.raw["tested_pressure"]),
             )
         pressures = list(ends)
     if slip is None and speed is not None:
-        raise _problem("tested_slip", "missing, where tested_slip_speed is given", "Give both.")
+        raise _problem("tested_slip", "missing: tested_slip_speed needs it", "Give both.")
     if slip is None and (pressures is None or ends is not None):
         return None
     if pressures is None or slip is None:
         missing, there = "tested_pressure", "tested_slip"
         if slip is None:
             missing, there = there, missing
-        raise _problem(missing, f"missing, where {there} is given", "Give both or none.")
+        raise _problem(missing, f"missing: {there} needs it", "Give both or none.")
     return TestedRange(
         pressure_min=pressures[0], pressure_max=pressures[1], slip_max=slip, slip_speed=speed
     )
@@ -126,7 +126,7 @@ def _knots(record: Record) -> PressureKnots:
 def _useless_slope(key: str) -> Problem:
     return Problem(
         key=key,
-        message="missing, and without it friction stays at its peak, whatever the slope",
+        message="missing: post_peak_slope needs it",
         remedy="Give the level that friction falls to.",
     )
 
@@ -141,8 +141,8 @@ def _check_order(rows: list[Record], key: str) -> None:
     problems = [
         Problem(
             key=f"{key}[{number}].pressure",
-            message=f"not above the pressure of the row before, {shown(before.raw['pressure'])}",
-            remedy="Write the rows in order of rising pressure.",
+            message=f"must be more than {shown(before.raw['pressure'])} of the row before",
+            remedy="Sort the rows by pressure.",
         )
         for number, (before, row) in enumerate(pairwise(rows), start=2)
         if row["pressure"] <= before["pressure"]
@@ -157,8 +157,8 @@ def _pieces(record: Record) -> CoefficientPieces:
     problems = [
         Problem(
             key=f"pieces[{number}].from",
-            message=f"not where the piece before ends, {shown(before.raw['to'])}",
-            remedy="Let the pieces follow each other without gap or overlap.",
+            message=f"must be {shown(before.raw['to'])}, the end of the piece before",
+            remedy="Leave no gap and no overlap.",
         )
         for number, (before, row) in enumerate(pairwise(rows), start=2)
         if abs(row["from"] / before["to"] - 1.0) > 1e-9
@@ -202,8 +202,8 @@ def _piece(row: Record, slip_unit: float, pressure_unit: float) -> Piece:
 
 def _unit(record: Record, key: str, dimension: Dimension, example: str) -> float:
     if key not in record:
-        remedy = f'Write {key} = "{example}" or the unit that A and b were fitted in.'
-        raise _problem(key, "missing, and A and b mean nothing without it", remedy)
+        remedy = f'Write {key} = "{example}", or the unit of their fit.'
+        raise _problem(key, "missing: A and b need it", remedy)
     unit: str = record[key]
     try:
         return unit_factor(unit, dimension)

@@ -165,8 +165,7 @@ def _made(item: Given, entry: float, exit_: float, report: Report) -> Tensions |
         side, tension = ("exit", exit_) if exit_ <= 0.0 else ("entry", entry)
         key = next((k for k in pulls if k not in item.inherited), "")
         place = (*item.place, key) if key else item.place
-        what = "a belt cannot push" if tension <= 0.0 else "no belt carries that"
-        message = f"leaves an {side} tension of {display(tension, 'force')}, and {what}"
-        remedy = "Give a smaller pull or a larger tension on the slack side."
+        message = f"leaves an {side} tension of {display(tension, 'force')}"
+        remedy = "Lower Te, or raise T2."
         report.add(place, message, remedy, *([item.raw[key]] if key else []))
         return None

@@ -22,10 +22,7 @@ from wraparc.friction import Trend
 from wraparc.friction.trend import Form
 
 _NUMBER = r"(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?"
-_GRAMMAR = (
-    "Write it over the pressure p as a polynomial (0.12 - 0.00021 p + 1.4e-7 p^2), a logarithm "
-    "(-0.31 + 0.042 ln(p)), a power (-1.6 p^-0.45) or an exponential (-0.2 exp(-0.0031 p))."
-)
+_GRAMMAR = "Write a polynomial, logarithm, power or exponential of p."
 _MOST_COEFFICIENTS = 4
 
 
@@ -146,7 +143,7 @@ def _sum(terms: list[_Term], text: str, factor: Decimal) -> Trend:
     seen: set[float] = set()
     for term in terms:
         if term.power not in (0, 1, 2, 3):
-            raise _refused(text, "a power of p that is not 1, 2 or 3 cannot be added to others")
+            raise _refused(text, "adds a power of p besides 1, 2 and 3")
         if term.power in seen:
             raise _refused(text, "has two terms of the same kind")
         seen.add(term.power)

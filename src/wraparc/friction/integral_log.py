@@ -37,13 +37,13 @@ class IntegralLog(FrictionLaw):
 
     title = "integral-log law"
     equation = Equation(
-        "Friction up to its peak; beyond it a straight line down to the residual friction",
+        "Friction up to its peak; past it a straight line down to the residual friction",
         "mu = A x ln x - b x, quad x_p = e^(b\\/A - 1), quad mu_p = -A x_p; quad "
         "x > x_p: mu = max(mu_p + m (x - x_p), mu_r)",
         r"\mu = A x \ln x - b x,\quad x_p = e^{b/A - 1},\quad \mu_p = -A x_p;\quad "
         r"x > x_p:\ \mu = \max(\mu_p + m(x - x_p), \mu_r)",
         "mu equals A x logarithm of x minus b x; its peak lies at x p equal to e to the b over A "
-        "minus 1 and is mu p equal to minus A x p; beyond it mu is the larger of mu p plus m times "
+        "minus 1 and is mu p equal to minus A x p; past it mu is the larger of mu p plus m times "
         "x minus x p and mu r",
     )
 

@@ -14,7 +14,7 @@ MOST_UNPACKED, MOST_RATIO, SMALL_UNPACKED = 250_000_000, 100.0, 10_000_000
 #: Cells of the rectangle that a sheet fills, and columns of it.
 MOST_CELLS, MOST_SHEET_COLUMNS = 4_000_000, 1000
 
-_REMEDY = "Export the test as a table of one row a reading, with the columns it needs."
+_REMEDY = "Export one row a reading."
 
 
 def refused(

@@ -126,13 +126,13 @@ def _undecided(
     present: Sequence[str], decimal: dict[str, str], texts: Sequence[str], file: str, remedy: str
 ) -> Problem:
     if len(present) == 2 and all(decimal.values()):
-        said = f"both a point ({decimal['.']}) and a comma ({decimal[',']}) are decimal signs here"
+        said = f"both {decimal['.']} and {decimal[',']} occur"
     else:
         sign = present[-1]
         cell = next(c for text in texts for c in text.split("\n") if sign in c).strip()
         said = f"{cell} may be {cell.replace(sign, '.')} or {cell.replace(sign, '')}"
     return Problem(
-        message=f"the decimal sign cannot be told: {said}",
+        message=f"decimal sign unclear: {said}",
         remedy=remedy or "Export it with decimal points.",
         file=file,
     )

@@ -46,14 +46,14 @@ def read_bytes(path: str | Path, remedy: str = "") -> bytes:
         if stat.S_ISREG(status.st_mode) and status.st_size <= LARGEST_FILE:
             return place.read_bytes()
     except FileNotFoundError:
-        raise refused(name, "there is no such file", "Correct the name.") from None
+        raise refused(name, "file not found", "") from None
     except (OSError, ValueError) as error:
         said = getattr(error, "strerror", None) or "its name cannot be used"
-        raise refused(name, f"the file cannot be read ({said})", "See its rights.") from None
+        raise refused(name, f"cannot be read: {said}", "Check the path.") from None
     if stat.S_ISDIR(status.st_mode):
-        raise refused(name, "this is a folder", "Name a file in it.")
+        raise refused(name, "is a folder", "Name a file in it.")
     large = stat.S_ISREG(status.st_mode)
-    message = "the file is larger than 200 MB" if large else "this is not a plain file"
+    message = "is larger than 200 MB" if large else "is not a plain file"
     raise refused(name, message, remedy)
 
 
@@ -100,7 +100,7 @@ def _delimiter(given: str, file: str) -> str:
         return sign
     raise refused(
         file,
-        "no delimiter that is known",
+        "no such delimiter",
         f"Write one of {', '.join(named)}.",
         key="delimiter",
         value=shown(given),

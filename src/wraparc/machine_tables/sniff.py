@@ -25,7 +25,7 @@ _OTHER_FORMATS = (
     (b"7z\xbc\xaf", "a 7-Zip archive"),
     (b"SQLite format 3", "an SQLite database"),
 )
-_REMEDY = "Export it from the machine's software as text (CSV) or as an Excel workbook."
+_REMEDY = "Export it as CSV or Excel workbook."
 # Letters seen in column names of the languages these code pages serve.
 _CENTRAL_EUROPEAN = set("ąćęłńśźżčďěňřšťůžőűăşţĄĆĘŁŃŚŹŻČĎĚŇŘŠŤŮŽŐŰ")
 _WESTERN = set("äöüßéèêàâçîïôûñáíóúãõåæøÄÖÜÉÈÀÇÑÁÍÓÚÃÕÅÆØ°²µ")
@@ -80,13 +80,13 @@ def decode(data: bytes, file: str, encoding: str | None = None) -> Decoded:
         If `data` is empty or is no text, or `encoding` does not fit.
     """
     if not data.strip(b"\x00\x1a\r\n\t "):
-        raise refused(file, "the file is empty", _REMEDY)
+        raise refused(file, "is empty", _REMEDY)
     for magic, kind in _OTHER_FORMATS:
         if data.startswith(magic):
-            raise refused(file, f"this is {kind}, no table", _REMEDY)
+            raise refused(file, f"is {kind}, no table", _REMEDY)
     name = encoding or _encoding_of(data)
     if name is None:
-        raise refused(file, "the file is binary, no text", _REMEDY)
+        raise refused(file, "is binary, no text", _REMEDY)
     text, notes = _decode(data, name, file, found=encoding is None)
     text = text.rstrip("\x1a\x00").replace("\r\r\n", "\n").replace("\r\n", "\n").replace("\r", "\n")
     return Decoded(text=text, encoding=name, ended=text.endswith("\n"), notes=notes)
@@ -102,17 +102,15 @@ def _decode(data: bytes, name: str, file: str, *, found: bool) -> tuple[str, tup
             return text, ("the file ends inside a character, which was left out",)
         raise refused(
             file,
-            f"byte {error.start} does not fit the encoding {name}"
-            + (", the likeliest" if found else ""),
-            "Name the one that the machine writes, such as gbk, shift_jis or cp1251: "
-            "--encoding on the command line, encoding in a plan."
+            f"byte {error.start} is not of encoding {name}",
+            "Give --encoding, such as gbk, shift_jis or cp1251 (in a plan: encoding)."
             if found
-            else "Leave the encoding to be found, or name the one the machine writes.",
+            else "Leave the encoding out, or correct it.",
         ) from None
     except (LookupError, ValueError):
         raise refused(
             file,
-            "an encoding that is not known",
+            "no such encoding",
             "Write for example utf-8, utf-16, cp1252, cp1250 or latin-1.",
             key="encoding",
             value=shown(name),

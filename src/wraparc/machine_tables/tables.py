@@ -49,10 +49,7 @@ _ALL_NUMERIC = re.compile(r'(?=.*[0-9])[-+\u22120-9eE.,;|\t "]*')
 _BETWEEN = re.compile(r"(?<=\d)[.'’\s](?=\d{3})")
 EMPTY = ' ;,|\t"'
 _LONG_NAMES, _LOOKED_AT = 5000, 200
-_RAGGED = (
-    f"the rows have changing numbers of cells, {MOST_TABLES} times and more: they are no table "
-    "(decimal commas between delimiting commas do this)"
-)
+_RAGGED = f"its rows change their number of cells more than {MOST_TABLES} times"
 
 
 @dataclass(frozen=True, eq=False)
@@ -202,9 +199,8 @@ def refuse_units_in_cells(rows: Sequence[Sequence[str]], file: str) -> None:
         return
     raise refused(
         file,
-        f"its cells hold numbers with their units, such as {shown(found[0][0])}: they "
-        "are text, not numbers",
-        "Write the unit into the heading, Travel [mm], and numbers alone below it.",
+        f"its cells are text with units, such as {shown(found[0][0])}",
+        "Write units into the heading, numbers alone below.",
     )
 
 

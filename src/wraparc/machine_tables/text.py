@@ -75,12 +75,12 @@ def _refuse_long_lines(lines: Sequence[str], sign: str, file: str) -> None:
     longest = max(map(len, lines), default=0)
     if longest > LONGEST_LINE:
         number = next(k for k, line in enumerate(lines, start=1) if len(line) == longest)
-        message = f"this line has {longest} characters; at most {LONGEST_LINE} are read"
+        message = f"has {longest} characters, more than {LONGEST_LINE}"
         raise beyond(message, file, number)
     for number, line in enumerate(lines if longest >= 2 * MOST_COLUMNS else (), start=1):
         cells = len(line.split()) if sign == " " else line.count(sign) + 1
         if cells > MOST_COLUMNS:
-            message = f"this line has {cells} cells; at most {MOST_COLUMNS} are read"
+            message = f"has {cells} cells, more than {MOST_COLUMNS}"
             raise beyond(message, file, number)
 
 
@@ -90,8 +90,7 @@ def _refuse_many(lines: Sequence[str], sign: str, file: str) -> None:
     cells = sum(line.count(sign) + 1 if sign != " " else len(line.split()) for line in lines)
     if cells > MOST_LOOSE_CELLS:
         raise beyond(
-            f"its {cells} cells stand in no plain table (rows of changing width, or a decimal sign "
-            f"that is not the same everywhere); of such files at most {MOST_LOOSE_CELLS} are read",
+            f"holds {cells} cells in no plain table, more than {MOST_LOOSE_CELLS}",
             file,
         )
 

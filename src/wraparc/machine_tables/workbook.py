@@ -13,7 +13,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
-from wraparc.errors import InputError, MissingExtraError
+from wraparc.errors import InputError, MissingExtraError, name_remedy, shown
 from wraparc.machine_tables.limits import (
     MOST_CELLS,
     MOST_RATIO,
@@ -26,8 +26,8 @@ from wraparc.machine_tables.limits import (
 from wraparc.machine_tables.tables import RawTable, tables_in_rows
 
 _CHUNK, _OVERLAP, _SECONDS = 1 << 20, 40, 60
-_REMEDY = "Save it again from the spreadsheet program as .xlsx, or export the sheet as CSV."
-_CSV = "Export the sheet with the test as CSV."
+_REMEDY = "Save it anew as .xlsx, or export it as CSV."
+_CSV = "Export the sheet as CSV."
 _SHEETS = re.compile(r"worksheets/[^/]*\.xml$", re.IGNORECASE)
 _PLACE = re.compile(rb'\sr\s*=\s*["\']([A-Z]{0,3})(\d{1,7})["\']')
 
@@ -51,15 +51,14 @@ def tables_in_workbook(data: bytes, file: str, sheet: str | None = None) -> list
     if "error" in told:
         raise _unreadable(file, str(told["error"]))
     if "large" in told:
-        raise beyond(_too_many(f"sheet {told['large']!r}"), file, remedy=_CSV)
+        raise beyond(_too_many(f"sheet {shown(told['large'])} has"), file, remedy=_CSV)
     if "sheets" not in told:
-        listed = ", ".join(repr(name) for name in told["names"])
         raise refused(
             file,
-            f"there is no such sheet; the workbook has {listed}",
-            "Name one of these.",
+            "no such sheet",
+            name_remedy(sheet, told["names"]),
             key="sheet",
-            value=repr(sheet),
+            value=shown(sheet),
         )
     return [
         table
@@ -151,7 +150,7 @@ class _Extent:
 
     def __str__(self) -> str:
         """Which sheet, and how far it reaches."""
-        return f"{self._name!r} reaches to row {self._rows} and column {self._columns}: it"
+        return f"{shown(self._name)} reaches row {self._rows}, column {self._columns}:"
 
 
 def _column(letters: bytes) -> int:
@@ -163,16 +162,13 @@ def _column(letters: bytes) -> int:
 
 def _unpacks(size: int) -> str:
     return (
-        f"the workbook unpacks to too much: more than {MOST_RATIO:g} times its {size / 1e6:.3g} MB,"
+        f"unpacks to more than {MOST_RATIO:g} times its {size / 1e6:.3g} MB,"
         f" or than {MOST_UNPACKED / 1e6:g} MB"
     )
 
 
 def _too_many(what: str) -> str:
-    return (
-        f"{what} has more cells than a test; at most {MOST_CELLS / 1e6:g} million, in "
-        f"{MOST_SHEET_COLUMNS} columns, are read"
-    )
+    return f"{what} more than {MOST_CELLS / 1e6:g} million cells or {MOST_SHEET_COLUMNS} columns"
 
 
 def _squared(rows: Sequence[Sequence[object]]) -> list[list[object]]:
@@ -182,4 +178,4 @@ def _squared(rows: Sequence[Sequence[object]]) -> list[list[object]]:
 
 def _unreadable(file: str, said: str) -> InputError:
     first = said.splitlines()[0][:80] if said else "damaged"
-    return refused(file, f"the workbook cannot be opened ({first})", _REMEDY)
+    return refused(file, f"cannot be opened as workbook: {first}", _REMEDY)

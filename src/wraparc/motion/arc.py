@@ -215,21 +215,18 @@ def _refuse(arc: WrapArc) -> None:
         raise input_error(
             key=f"{of}overrun",
             value=display(arc.entry_overrun, "length"),
-            message="is towards travel: slip then turns just behind the entry nip of a driving "
-            "pulley, and no step in time follows that reliably",
-            remedy='Set overrun = "0 mm" for what happens in time, or give it rearward.',
+            message="must be rearward for an event in time",
+            remedy='Write overrun = "0 mm".',
         )
     if not has_memory(arc.law):
         raise input_error(
             key=where,
-            message="the measured table does not rise from 0 along a concave curve, so that "
-            "its unloading is not known",
-            remedy="Fit an integral-log law to it, or smooth it.",
+            message="the measured table must be concave from 0",
+            remedy="Fit an integral-log law, or smooth it.",
         )
     if law.kind == LIMIT and arc.shear_compliance + law.onset_compliance == 0.0:
         raise input_error(
             key=where,
-            message="friction that holds without slip on a lagging that does not shear has no "
-            "unique creep in time",
-            remedy="Give the thickness and the shear modulus of the lagging.",
+            message="creep in time is not unique on a rigid lagging without slip",
+            remedy="Give thickness and shear modulus.",
         )

@@ -22,8 +22,8 @@ def rest(march: StationState) -> None:
     march.T = [march.slack] * (march.n + 1)
     for i, rise in enumerate(march.runs):
         if rise:
-            message = "a rise of tension over a run at rest is not known"
-            remedy = "Leave [train.run] out for an event that begins at rest."
+            message = "must be 0 at rest"
+            remedy = "Leave [train.run] out."
             raise input_error(key=f"run[{i + 1}]", message=message, remedy=remedy)
     lift = march.station.lift_share * march.pull
     if lift <= 0.0:

@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from wraparc.errors import InputError, input_error
+from wraparc.errors import InputError, input_error, shown
 from wraparc.motion.march import March
 from wraparc.motion.recorder import Recorder, Sink
 from wraparc.saving import put_in_place, unwritable
@@ -124,7 +124,7 @@ class Checkpoint:
         except (OSError, ValueError, KeyError, TypeError, EOFError, zipfile.BadZipFile):
             raise self._problem("is no saved state of a run", "Name another file.") from None
         if not fits:
-            message = "is the state of another run: file, event, step, points or rows differ"
+            message = "is the state of another run"
             raise self._problem(message, "Remove it, or name another file.")
         for name, part in _parts(march, recorder):
             for key, value in about["numbers"][name].items():
@@ -139,7 +139,7 @@ class Checkpoint:
 
     def _problem(self, message: str, remedy: str) -> InputError:
         return input_error(
-            key="--checkpoint", value=os.fspath(self.path), message=message, remedy=remedy
+            key="--checkpoint", value=shown(os.fspath(self.path)), message=message, remedy=remedy
         )
 
 

@@ -106,10 +106,10 @@ def solved(march: StationState, h: float) -> Trial:
             _turn(march, trial)
             change = np.linalg.solve(trial.slopes, -trial.residual)
         except np.linalg.LinAlgError:
-            raise HaltError("breaks away", place) from None
+            raise HaltError("gross slip", place) from None
         step: list[float] = change.tolist()
         if not math.isfinite(sum(step)):
-            raise HaltError("breaks away", place)
+            raise HaltError("gross slip", place)
         fall = max(-step[n + i] / trial.tensions[i] for i in range(n + 1))
         if fall > 0.8:  # too far: no tension may turn into a push on the way
             step = [0.8 / fall * s for s in step]
@@ -128,7 +128,7 @@ def solved(march: StationState, h: float) -> Trial:
             return trial
     if march.slackens(trial.tensions):
         raise march.goes_slack(trial.tensions)
-    raise HaltError("breaks away", place)
+    raise HaltError("gross slip", place)
 
 
 def guessed(march: StationState, h: float) -> Trial:

@@ -221,16 +221,12 @@ class Measured(Happening):
         super().__post_init__()
         problems = []
         if len(self.times) < 2 or len(self.times) != len(self.values):
-            problems.append(
-                Problem(
-                    key="times", message="the record needs as many times as values, two or more"
-                )
-            )
+            problems.append(Problem(key="times", message="must be as many as values, two or more"))
         elif any(b <= a for a, b in zip(self.times, self.times[1:], strict=False)):
-            problems.append(Problem(key="times", message="the times must rise"))
+            problems.append(Problem(key="times", message="must ascend"))
         if not all(map(math.isfinite, (*self.times, *self.values))):
-            message = "the record has gaps: a value is missing or not a number"
-            remedy = "Cut the record before the gap, or fill it and say so."
+            message = "a value is missing or not a number"
+            remedy = "Cut the record before the gap."
             problems.append(Problem(key="values", message=message, remedy=remedy))
         raise_all(problems)
 

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from wraparc.errors import InputError, Problem, input_error, nearest, shown
+from wraparc.errors import InputError, Problem, input_error, name_remedy, shown
 from wraparc.motion.control import Control, Droop, ExactSpeed, Follower
 from wraparc.motion.event import Event, Happening, Measured, Start, Stop
 from wraparc.motion.keys import CONTROL, DRUM, EVENT, HAPPENING, MOTION, TRIM
@@ -23,7 +23,7 @@ from wraparc.train.file import train_from_document
 from wraparc.train.keys import TRAIN_FILE
 from wraparc.units import parse_quantity
 
-_WRITE = "Write a [motion] table, as the page on drives in time shows."
+_WRITE = "Write a [motion] table with inertias and events."
 #: What is followed where a file has no events.
 USUAL_EVENTS = (
     Event(name="start", duration=40.0, happenings=(Start(time=20.0),)),
@@ -68,9 +68,9 @@ class Motion:
             if not name or event.name == name:
                 return event
         names = [e.name for e in self.events]
-        message = f"no such event; there are {', '.join(map(shown, names))}"
-        remedy = nearest(name, names) or "Write a [[motion.event]] table of that name."
-        raise input_error(key="event", value=shown(name), message=message, remedy=remedy)
+        raise input_error(
+            key="event", value=shown(name), message="no such event", remedy=name_remedy(name, names)
+        )
 
 
 def load_motion(
@@ -117,7 +117,7 @@ def motion_from_document(
     report = Report(file)
     given = document.get("motion")
     if given is None and train is None:  # then nobody knows what its drums are called
-        message = "missing: the file says nothing of inertias and events"
+        message = "missing"
         report.add(("motion",), message, _WRITE)
         record: Any = None
     else:  # every drum without an inertia is named
@@ -176,8 +176,8 @@ class _Builder:
         if not isinstance(tables, dict):
             return None
         for name in (n for n in tables if n not in names):
-            message = f"no such pulley; the pulleys are {', '.join(map(shown, names))}"
-            self.report.add(("motion", "drum", name), message, nearest(name, names))
+            place = ("motion", "drum", name)
+            self.report.add(place, "no such pulley", name_remedy(name, names))
         missing = [n for n in names if n not in tables]
         for name in missing:
             remedy = f'Write [{place_text(("motion", "drum", name))}] with inertia = "2200 kg m2".'
@@ -213,14 +213,14 @@ class _Builder:
         inertia, ratio = record.get("motor_inertia"), record.get("gear_ratio")
         if inertia is None:
             if ratio is not None:
-                message = "says nothing without motor_inertia"
+                message = "needs motor_inertia"
                 self.report.add((*record.place, "gear_ratio"), message, "Give motor_inertia too.")
             return 0.0
         motor = _motor_of(train, name)
         if ratio is None and isinstance(motor, Motor):
             ratio = motor.gear_ratio
         if ratio is None:
-            remedy = "Write gear_ratio = 25, for example: motor speed over drum speed."
+            remedy = "Write gear_ratio = 25, motor over drum speed."
             self.report.add(
                 (*record.place, "gear_ratio"), "missing: motor_inertia needs it", remedy
             )
@@ -253,12 +253,12 @@ class _Builder:
         key = "record" if "record" in record else "file"
         place, pulley, at = (*record.place, key), record["pulley"], record.get("at", 0.0)
         if len({"record", "file"} & {*record}) != 1:
-            message = "give the measured record once: as a file, or its lines as a record"
+            message = "must be either file or record"
             self.report.add(place, message, 'Write file = "record.csv", for example.')
             return None
         if key == "file" and self.folder is None:
-            message = "a file may not be named here"
-            remedy = 'Put its lines in: record = """time [s],speed [rpm] ...""".'
+            message = "cannot be a path here"
+            remedy = "Put its lines into record."
             self.report.add(place, message, remedy, record["file"])
             return None
         try:
@@ -275,8 +275,8 @@ def _between(train: Train) -> list[Problem]:
     after = train.criteria.take_up.after
     if after in ("", train.pulleys[-1].name):
         return []
-    message = "events are followed with the take-up behind the last drive"
-    remedy = "Leave it out for what happens in time."
+    message = "must be the last drive for events"
+    remedy = "Leave it out."
     return [Problem(key="take_up.after", value=shown(after), message=message, remedy=remedy)]
 
 
@@ -328,7 +328,7 @@ def parse_record(text: str, pulley: str, *, at: float = 0.0, file: str = "") -> 
     heads = [_HEAD.fullmatch(cell) for cell in rows[0]] if rows else []
     names = [h[1].lower() if h else "" for h in heads]
     if len(names) != 2 or names[0] != "time" or names[1] not in ("speed", "torque"):
-        message = "the first line must name both columns with their units"
+        message = "must name both columns with their units"
         remedy = "Write time [s],speed [rpm] or time [s],torque [kN m]."
         raise input_error(message=message, remedy=remedy, file=file, line=1)
     units = [h[2] for h in heads if h]
@@ -336,8 +336,8 @@ def parse_record(text: str, pulley: str, *, at: float = 0.0, file: str = "") -> 
     times, values = [], []
     for line, row in enumerate(rows[1:], start=2):
         if len(row) != 2 or not all(cell.strip() for cell in row):
-            message = "the record has a gap: a value is missing"
-            remedy = "Cut the record before the gap, or fill it and say so."
+            message = "a value is missing"
+            remedy = "Cut the record before the gap."
             raise input_error(message=message, remedy=remedy, file=file, line=line)
         try:
             times.append(parse_quantity(f"{row[0].strip()} {units[0]}", "time"))

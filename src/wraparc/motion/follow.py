@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 
-from wraparc.errors import InputError, Problem, input_error
+from wraparc.errors import InputError, Problem, input_error, name_remedy, shown
 from wraparc.motion.checkpoint import Checkpoint
 from wraparc.motion.event import Event, Measured, OnDrum, Start
 from wraparc.motion.march import March
@@ -109,7 +109,7 @@ def simulate(
 
 
 def _told(halt: HaltError, t: float) -> tuple[Outcome, str]:
-    if halt.what == "breaks away":
+    if halt.what == "gross slip":
         return Outcome.BREAKAWAY, f"Gross slip on {halt.place} at {t:.4g} s"
     if halt.what == "turns back":
         return Outcome.TURNED_BACK, f"Pulley {halt.place} turns back at {t:.4g} s"
@@ -130,26 +130,24 @@ def check_event(station: Station, event: Event) -> None:
         problems.append(
             Problem(
                 key="motion.conveyor_mass",
-                message="missing: a start or stop needs the mass that is moved",
-                remedy='Write for example conveyor_mass = "120 t": belt, load and idlers.',
+                message="missing: starts and stops need it",
+                remedy='Write conveyor_mass = "120 t": belt, load and idlers.',
             )
         )
     if len({h.at for h in moves}) < len(moves):
-        problems.append(Problem(key="event", message="two starts or stops begin at the same time"))
+        problems.append(Problem(key="event", message="two starts or stops begin together"))
     for thing in (*event.of(OnDrum), *event.of(Measured)):
         name = getattr(thing, "pulley", "")
         if name not in station.names:
-            there = ", ".join(f'"{n}"' for n in station.names)
+            remedy = name_remedy(name, station.names)
             problems.append(
                 Problem(
-                    key="event.pulley",
-                    value=f'"{name}"',
-                    message=f"no such pulley; the pulleys are {there}",
+                    key="event.pulley", value=shown(name), message="no such pulley", remedy=remedy
                 )
             )
     measured = [h.pulley for h in event.of(Measured) if isinstance(h, Measured)]
     if len(set(measured)) < len(measured):
-        message = "two records for one drum: its speed and its torque cannot both be given"
+        message = "one drum has two records"
         problems.append(Problem(key="event.measured", message=message))
     if problems:
         raise InputError(problems)
@@ -187,10 +185,7 @@ def _check_steps(march: March, event: Event) -> None:
         remedy = "Take a longer step, or a shorter event."
         if steps <= _MOST_STEPS:
             least = _A_STEP * shortest / march.speed
-            message = (
-                f"the lagging would move {display(march.h * march.speed, 'length', digits=3)} in a "
-                f"step, more than a quarter of a wrap, {display(shortest, 'length', digits=3)} long"
-            )
+            message = f"too coarse for a wrap of {display(shortest, 'length', digits=3)}"
             remedy = f"Take {display(0.99 * least, 'time', digits=2)} or less."
         raise input_error(
             key="step", value=display(march.h, "time"), message=message, remedy=remedy
@@ -215,12 +210,10 @@ def _check_ramps(march: March, event: Event) -> None:
         if need <= given:
             continue
         message = (
-            f"a start in {display(start.time, 'time', digits=3)} needs {display(need, 'force')} at "
-            f"the belt; the torque limits of the motors give {display(given, 'force')}"
+            f"the start needs {display(need, 'force')}, the motors give {display(given, 'force')}"
         )
         least = moved * steepest * march.speed / max(given - march.pull, 1e-9)
-        remedy = f"Take {display(1.01 * least, 'time', digits=3)} or more, or"
+        remedy = f"Start in {display(1.01 * least, 'time', digits=3)}, or raise torque_limit."
         if given <= march.pull:  # not even the load is carried
-            remedy = "Lower the load, or"
-        remedy += " raise torque_limit or rated_torque of the motors."
+            remedy = "Lower the load, or raise torque_limit."
         raise input_error(key=f"motion.event.{event.name}", message=message, remedy=remedy)

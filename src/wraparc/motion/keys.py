@@ -26,11 +26,11 @@ from wraparc.schema.limits import Limit
 from wraparc.schema.tables import Entry, Table, Variant, need
 
 _RATING = Entry(
-    "rated_torque", "Torque at the drum that ratios refer to; that of the load case if left out."
+    "rated_torque", "Torque at the pulley that ratios refer to; that of the load case if left out."
 )
 _LAG = (
     Entry("lag", "Of the torque behind what is asked; 0 if left out."),
-    Entry("torque_limit", "Largest torque over rated torque; 2.5 if left out."),
+    Entry("torque_limit", "Maximum torque over rated torque; 2.5 if left out."),
 )
 _MOTOR = (
     Entry("rated_slip", "Slip of the motor at rated torque; 1 % if left out."),
@@ -38,7 +38,7 @@ _MOTOR = (
 )
 CONTROL = Variant(
     "kind",
-    "How the drum is driven.",
+    "How the pulley is driven.",
     Table("exact-speed", _RATING, of=ExactSpeed),
     Table(
         "droop",
@@ -50,7 +50,7 @@ CONTROL = Variant(
     Table(
         "speed-loop",
         _RATING,
-        need("bandwidth", "Of the loop with the inertia of the drum, in hertz."),
+        need("bandwidth", "Of the loop with the inertia of the pulley, in hertz."),
         need("reset", "Time of the integral part.", example='reset = "1 s"'),
         *_LAG,
         of=SpeedLoop,
@@ -65,7 +65,7 @@ CONTROL = Variant(
     Table(
         "fluid-coupling",
         _RATING,
-        need("pump_inertia", "Of motor and pump, as seen at the drum."),
+        need("pump_inertia", "Of motor and pump, as seen at the pulley."),
         Entry("coupling_slip", "At rated torque; 3 % if left out."),
         Entry("coupling_limit", "Torque at standstill over rated torque; 1.8 if left out."),
         *_MOTOR,
@@ -91,10 +91,11 @@ TRIM = Table(
     of=Trim,
 )
 DRUM = Table(
-    "Drum",
+    "Pulley",
     need(
         "inertia",
-        "As seen at the drum shaft: of drum and gear, and of the motors unless they are given.",
+        "As seen at the pulley shaft: of pulley and gear, and of the motors unless stated "
+        "separately.",
     ),
     Entry(
         "motor_inertia",
@@ -103,7 +104,7 @@ DRUM = Table(
     ),
     Entry(
         "gear_ratio",
-        "Motor speed over drum speed, for the motor inertia; that of its motor in the train if "
+        "Motor speed over pulley speed, for the motor inertia; that of its motor in the train if "
         "left out.",
         Quantity("number", Limit("number", open=True, most=1e4)),
     ),
@@ -111,7 +112,7 @@ DRUM = Table(
     Entry("control", "How it is driven; droop of 1 % if left out.", CONTROL),
     Entry("trim", "Load sharing by a slow trim of its speed.", TRIM, title="Load sharing"),
     Entry("backstop", "Whether it cannot turn back; true if left out."),
-    Entry("brake_torque", "Of its brake at the drum; 0 if left out."),
+    Entry("brake_torque", "Of its brake at the pulley; 0 if left out."),
     of=Drum,
 )
 _AT = Entry("at", "When it begins; 0 if left out.", title="Begins at")
@@ -119,7 +120,7 @@ _SHAPE = (
     Entry("shape", "S-curve if left out; direct is direct on line.", Choice(SHAPES), title="Shape"),
     Entry("time", "How long it takes; 20 s if left out."),
 )
-_PULLEY = need("pulley", "The drum that it turns with.", Name(), example='pulley = "second"')
+_PULLEY = need("pulley", "The pulley that it turns with.", Name(), example='pulley = "second"')
 HAPPENING = Variant(
     "kind",
     "What happens.",
@@ -154,7 +155,7 @@ HAPPENING = Variant(
         _AT,
         _PULLEY,
         need("run_out", "Amplitude of the radius.", example='run_out = "0.5 mm"'),
-        Entry("order", "Waves a turn; 1 if left out."),
+        Entry("order", "Waves per revolution; 1 if left out."),
         of=OnDrum,
     ),
     Table(
@@ -171,7 +172,7 @@ HAPPENING = Variant(
         _AT,
         _PULLEY,
         need("ripple", "Amplitude over the steady torque."),
-        Entry("order", "Waves a turn; 1 if left out."),
+        Entry("order", "Waves per revolution; 1 if left out."),
         of=OnDrum,
     ),
     Table(
@@ -180,7 +181,7 @@ HAPPENING = Variant(
         _PULLEY,
         Entry(
             "file",
-            "CSV of two columns: time [s], and speed [rpm] or torque [kN m] of the drum.",
+            "CSV of two columns: time [s], and speed [rpm] or torque [kN m] of the pulley.",
             Text(500),
         ),
         Entry(
@@ -208,25 +209,29 @@ MOTION = Table(
     "Motion",
     Entry(
         "load_case",
-        "That runs; the running one of the largest pull if left out.",
+        "That runs; the running one of maximum effective tension if left out.",
         Name(),
         title="Load case",
     ),
     Entry(
         "conveyor_mass",
-        "Belt, load and idlers, moving with the belt; without it the outer tensions are held.",
+        "Belt, load and idlers, moving with the belt; without it the outer tensions are constant.",
     ),
-    Entry("carry_run", "Belt stretched before the first drum; 50 m if left out."),
-    Entry("return_run", "Belt stretched behind the last drum; 20 m if left out."),
-    Entry("lift_share", "Part of the resistance that pulls at rest too; 0 if left out."),
+    Entry(
+        "carry_run",
+        "Belt stretched before the first pulley; 50 m if left out.",
+        title="Carrying run",
+    ),
+    Entry("return_run", "Belt stretched behind the last pulley; 20 m if left out."),
+    Entry("lift_share", "Part of the resistance that acts at rest too; 0 if left out."),
     Entry("take_up", "Gravity if left out.", Choice(TAKE_UPS), title="Take-up"),
-    Entry("winch_speed", "Largest belt speed of the winch; 0.1 m/s if left out."),
+    Entry("winch_speed", "Maximum belt speed of the winch; 0.1 m/s if left out."),
     Entry("source", "Where the numbers came from.", Text(500)),
     need(
         "drum",
-        "The drums, by pulley.",
+        "The drives, by pulley.",
         ByName(DRUM),
-        title="Drums",
+        title="Pulleys",
         example="a [motion.drum.NAME] table for each pulley",
     ),
     Entry("event", "What may happen.", Rows(EVENT, 1, 50), title="Events"),

@@ -32,7 +32,7 @@ def row_names(station: Station) -> list[str]:
 _COLUMNS = (
     "entry tension [N]",
     "exit tension [N]",
-    "drum speed [rad/s]",
+    "pulley speed [rad/s]",
     "torque [N m]",
     "exit creep [m]",
     "exit slip [m]",

@@ -20,18 +20,18 @@ class Outcome(Enum):
 
     WHOLE = "The event was followed to its end."
     SLACK = (
-        "The belt goes slack: the run is kept up to there. Tighten the take-up, or start and stop "
+        "The belt goes slack; the run ends there. Raise the take-up tension, or start and stop "
         "more slowly."
     )
     BREAKAWAY = (
-        "A drive breaks away: no creep makes enough friction. The run is kept up to there. "
-        f"Tighten the take-up, start more slowly, or {MORE_FRICTION}"
+        "Gross slip: no creep gives enough friction. The run ends there. Raise the take-up "
+        f"tension, start more slowly, or {MORE_FRICTION}"
     )
     TURNED_BACK = (
-        "A drum turns back, which is not modelled: the run is kept up to there. Give the drum a "
+        "A pulley turns back, which is not modelled; the run ends there. Give the pulley a "
         "backstop or a brake."
     )
-    CANCELLED = "The run was cancelled: it is kept up to there."
+    CANCELLED = "The run was cancelled and ends there."
 
     @property
     def whole(self) -> bool:

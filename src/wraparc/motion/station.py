@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from typing import ClassVar, Literal
 
 from wraparc.drive import Limit, Pulley
-from wraparc.errors import Problem, input_error, nearest, shown
+from wraparc.errors import Problem, input_error, name_remedy, nearest, shown
 from wraparc.motion.control import Control, Droop, Follower, Trim
 from wraparc.schema.limits import limit_problems, raise_all
 from wraparc.train import Train
@@ -121,8 +121,8 @@ class Station:
                 )
             )
         if self.conveyor_mass is None and self.take_up != "gravity":
-            message = "holds a length of belt between the drives and a conveyor that has no mass"
-            remedy = "Give conveyor_mass, or leave the take-up out: the outer tensions are held."
+            message = "needs conveyor_mass"
+            remedy = "Give conveyor_mass, or leave take_up out."
             problems.append(
                 Problem(key="take_up", value=shown(self.take_up), message=message, remedy=remedy)
             )
@@ -144,10 +144,10 @@ class Station:
                     Problem(key=key, value=shown(control.master), message=message, remedy=remedy)
                 )
             elif isinstance(self.drums[names.index(control.master)].control, Follower):
-                message = "the drive that is followed must not follow another one itself"
+                message = "must not follow another drive itself"
                 problems.append(Problem(key=key, value=shown(control.master), message=message))
         if all(isinstance(d.control, Follower) for d in self.drums):
-            message = "every drive follows another one: one must hold the speed"
+            message = "every drive follows another one"
             problems.append(Problem(key="motor", message=message))
         return problems
 
@@ -171,8 +171,5 @@ class Station:
         """
         if name in self.names:
             return self.names.index(name)
-        there = ", ".join(map(shown, self.names))
-        message = f"no such pulley; the pulleys are {there}"
-        raise input_error(
-            key="pulley", value=shown(name), message=message, remedy=nearest(name, self.names)
-        )
+        remedy = name_remedy(name, self.names)
+        raise input_error(key="pulley", value=shown(name), message="no such pulley", remedy=remedy)

@@ -212,9 +212,9 @@ def steady_of(station: Station) -> CaseResult:
     train = station.train
     result = solve_case(train, train.case(station.load_case), Distributed(capacities=False))
     if not result.status.solved:
-        message = f"there is no steady state to move from: {result.reason} {result.status}"
+        message = f"no steady state to start from: {result.reason} {result.status}"
         raise input_error(key="motion", message=message)
     if not result.belt_speed > 0.0:
-        message = "what moves needs a belt speed"
+        message = "missing"
         raise input_error(key="belt.speed", message=message, remedy="Give [belt] speed.")
     return result

@@ -115,7 +115,7 @@ def _draw_lagging(ax: Axes, result: AcrossResult, system: System) -> None:
     wide = result.wide
     radius = (wide.radius_deviation - np.max(wide.radius_deviation)) / size
     worn = (wide.arc.thickness - wide.thickness) / size
-    ax.plot(radius, y, color=BLUE, label="radius, less its largest")
+    ax.plot(radius, y, color=BLUE, label="radius, less its maximum")
     if np.any(worn != 0.0):
         ax.plot(-worn, y, color=ORANGE, linestyle="--", label="worn off the lagging")
     ax.set_title("Pulley")

@@ -17,7 +17,7 @@ _PARTS = (
     ("creep_compression", "lagging compression", GREEN, "xxxx"),
     ("creep_global", "global", ORANGE, "////"),
 )
-_NAMES = {"distributed": "distributed", "paper": "paper's march"}
+_NAMES = {"distributed": "distributed", "paper": "paper's integration"}
 
 
 def draw_budget(ax: "Axes", results: Sequence[ArcResult], system: System, columns: int = 2) -> None:

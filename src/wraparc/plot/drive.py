@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 _NOTHING = (
-    "The whole wrap slips: no creep, slip or shear stress\nalong it carries these tensions, and "
+    "The whole wrap slips: no creep, slip or shear stress\nalong it transmits these tensions, and "
     "none is drawn."
 )
 
@@ -140,7 +140,7 @@ def caption(result: ArcResult, system: System) -> str:
     """Return the answer in one line."""
     if result.status is Status.BREAKAWAY:
         ratio = display(result.tension_ratio, "number", digits=3)
-        return f"Breakaway: the friction cannot carry this load, T1/T2 = {ratio}."
+        return f"Gross slip: friction cannot transmit this load, T1/T2 = {ratio}."
     creep = display(abs(result.exit_creep), "length", system, digits=3)
     limit = display(result.arc.creep_limit, "length", system, digits=3)
     within = "within" if result.within_creep_limit else "more than"

@@ -33,8 +33,8 @@ def plot_event_study(study: EventStudy, rows: Sequence[EventRow], system: System
         left, right = figure.subplots(1, 2)
         axis = _axis(study)
         panels: tuple[tuple[Axes, str, str, Dimension], ...] = (
-            (left, "peak_creep", f"Largest {GLOSSARY['exit_creep'].title.lower()}", "length"),
-            (right, "peak_tension", "Largest tension", "force"),
+            (left, "peak_creep", f"Maximum {GLOSSARY['exit_creep'].title.lower()}", "length"),
+            (right, "peak_tension", "Maximum tension", "force"),
         )
         for ax, name, title, dimension in panels:
             _lines(ax, study, rows, axis, name, system, dimension)

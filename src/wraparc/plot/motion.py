@@ -45,7 +45,7 @@ def plot_run(run: RunResult, units: System = "si") -> Picture:
             axes[1:4],
             (
                 f"tension [{force}]",
-                f"pull T1 - T2 [{force}]",
+                f"Te = T1 - T2 [{force}]",
                 f"{GLOSSARY['exit_creep'].title} [{length}]",
             ),
             strict=True,
@@ -90,8 +90,8 @@ def plot_stability(result: StabilityResult, units: System = "si") -> Picture:
         for axis in (pull, phase, creep):
             for order in (1, 2, 3):
                 axis.axvline(order * turn, color=GREY, lw=0.8, ls=(0, (1, 2)))
-        pull.set_title(f"Run-out of {last.pulley}; dotted: 1, 2 and 3 waves a turn")
-        pull.set_ylabel("swing of the pull [%]")
+        pull.set_title(f"Run-out of {last.pulley}; dotted: 1, 2 and 3 waves per revolution")
+        pull.set_ylabel("Te ripple [%]")
         phase.set_ylabel("phase [deg]")
         creep.set_ylabel(f"{GLOSSARY['exit_creep'].title} [{length}]")
         creep.set_xlabel("frequency [Hz]")
@@ -99,14 +99,14 @@ def plot_stability(result: StabilityResult, units: System = "si") -> Picture:
         places = np.arange(len(result.controls))
         one = [100.0 * c.pull * result.run_out for c in result.controls]
         three = [100.0 * c.pull_third * result.run_out for c in result.controls]
-        bars.barh(places - 0.2, one, 0.38, color=BLUE, label="1 a turn")
+        bars.barh(places - 0.2, one, 0.38, color=BLUE, label="1 per revolution")
         bars.barh(
             places + 0.2, three, 0.38, color=ORANGE, hatch="///", edgecolor="white", label="3"
         )
-        labels = [c.name + ("" if c.stable else " (pulsates)") for c in result.controls]
+        labels = [c.name + ("" if c.stable else " (unstable)") for c in result.controls]
         bars.set_yticks(places, labels)
         bars.invert_yaxis()
-        bars.set_xlabel("swing of the pull of the worst drum [%]")
+        bars.set_xlabel("Te ripple of the worst pulley [%]")
         bars.legend()
     return Picture(figure)
 
@@ -130,8 +130,8 @@ def plot_stability_map(found: StabilityMap) -> Picture:
         axis.set_xscale("log")
         axis.set_yscale("log")
         axis.set_xlabel(f"{found.what} of the last drive [%]")
-        axis.set_ylabel("inertia of the last drum [kg m2]")
-        axis.set_title("Hatched: pulsates by itself")
+        axis.set_ylabel("inertia of the last pulley [kg m2]")
+        axis.set_title("Hatched: unstable")
         axis.grid(visible=False)
-        figure.colorbar(shown, label="swing of its pull for 0.5 mm of run-out, 1 a turn [%]")
+        figure.colorbar(shown, label="Te ripple for 0.5 mm of run-out, 1 per revolution [%]")
     return Picture(figure)

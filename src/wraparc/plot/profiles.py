@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 
-_OTHER_NAME = "paper's march"
+_OTHER_NAME = "paper's integration"
 #: How a second method is drawn over the first.
 _OTHER: dict[str, Any] = {"color": "black", "linewidth": 1.0}
 
@@ -127,7 +127,7 @@ def _draw_friction(ax: "Axes", results: Sequence[ArcResult], system: System) -> 
             continue
         most = most_friction(result)
         if most is not None:
-            label = "largest tested"
+            label = "maximum tested"
             ax.plot(at, most, color=GREEN, linewidth=1.2, linestyle=(0, (6, 2, 1, 2)), label=label)
         ax.plot(at, available, color=BLUE, label="available")
         ax.plot(at, used, color=ORANGE, linestyle=(0, (4, 2)), label="used")

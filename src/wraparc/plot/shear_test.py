@@ -330,8 +330,8 @@ def condition_pictures(
             lambda: pressure_picture(condition, saturation),
         ),
         "checks": (
-            "Left: what the fits leave over, averaged over thirtieths of the slip, in units of the "
-            "noise of one reading. Right: the check by which the law was found, the five-point "
+            "Left: residuals of the fits, averaged over thirtieths of the slip, in units of "
+            "the noise of one reading. Right: the check that the law is based on, the five-point "
             "derivative of each curve against A ln x + (A - b), a straight line over the logarithm "
             "of slip.",
             lambda: checks_picture(condition),

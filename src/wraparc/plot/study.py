@@ -165,7 +165,7 @@ def _settling(
     ax.set_xscale("log", base=2)
     ax.set_xlabel("Draws")
     ax.set_ylabel("Creep over its limit [% of draws]")
-    ax.set_title("Convergence where it is least certain")
+    ax.set_title("Convergence where it is most uncertain")
     if groups:
         ax.legend(loc="best")
 

@@ -182,9 +182,11 @@ def plot_matching(
         case = matching.case.case.name
         head = " - ".join(part for part in (title, f"load case {case}") if part)
         figure.text(0.02, 1.0 - 0.38 / height, head, fontsize=13, weight="bold")
-        grey = " Grey: the belt between the drums would be too slack or too tight." if tall else ""
+        grey = (
+            " Grey: the belt between the pulleys would be too slack or too tight." if tall else ""
+        )
         note = (
-            "All other drums turn as in the load case; the take-up holds."
+            "All other pulleys turn as in the load case, at constant take-up tension."
             f"{grey} wraparc {__version__}."
         )
         figure.text(0.02, 0.1 / height, note, fontsize=7.5, color="#444444")
@@ -246,7 +248,7 @@ def _mark_braking(ax: "Axes", curve: ShareCurve) -> None:
         high = min((v for v in idle if v >= high), default=high, key=lambda v: v - high)
         ax.axvspan(low, high, color="#f4e3d7", linewidth=0.0)
         ax.text(
-            0.5 * (low + high), 0.02, "drives fight", transform=ax.get_xaxis_transform(),
+            0.5 * (low + high), 0.02, "drives oppose", transform=ax.get_xaxis_transform(),
             ha="center", va="bottom", fontsize=8, color="#8a4b1c", zorder=4,
             bbox={"facecolor": "#f4e3d7", "edgecolor": "none", "pad": 1.0},
         )  # fmt: skip
@@ -255,7 +257,7 @@ def _mark_braking(ax: "Axes", curve: ShareCurve) -> None:
 _PLACES: dict[MarkKind, tuple[str, str]] = {
     MarkKind.OPERATING: ("#222222", "now"),
     MarkKind.CREEP_LIMIT: (RED, GLOSSARY["creep_limit"].title.lower()),
-    MarkKind.BREAKAWAY: (RED, "breaks away"),
+    MarkKind.BREAKAWAY: (RED, "gross slip"),
 }
 
 

@@ -104,7 +104,7 @@ def profile_drawing(results: Sequence[ArcResult]) -> Drawing:
     )
     caption = f"Along the wrap, {belongs(first)}."
     if len(results) > 1:
-        caption += " Thin and black: the paper's march."
+        caption += " Thin and black: the paper's integration."
     return Drawing(partial(plot_profiles, results), caption, alt)
 
 
@@ -115,7 +115,7 @@ def across_drawing(result: AcrossResult) -> Drawing:
     tight = named("across_position", float(y[place_of_largest(result.entry_tension)]))
     alt = (
         f"Map of the shear stress of pulley {arc.pulley} over wrap angle and width, the profile of "
-        f"the pulley and the tension over the width beside it. The entry tension is largest at "
+        f"the pulley and the tension over the width beside it. The entry tension peaks at "
         f"{tight} from the middle, {result.entry_unevenness:.3g} of its mean; the lagging wears "
         f"fastest at {worst}, {result.energy_unevenness:.3g} of its mean."
     )

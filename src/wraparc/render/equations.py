@@ -52,7 +52,7 @@ _CAPACITY = Equation(
     'r_a = T_"tight" / T_"slack" "at" abs(u(phi)) = u_max, quad mu_"eq" = (ln r_a) / phi',
     r"r_a = \left.\frac{T_\mathrm{tight}}{T_\mathrm{slack}}\right|_{|u(\varphi)| = u_{\max}},"
     r"\quad \mu_\mathrm{eq} = \frac{\ln r_a}{\varphi}",
-    "r a equals the tension of the tight side over that of the slack side at which the magnitude "
+    "r a equals the tight-side tension over the slack-side tension at which the magnitude "
     "of u of phi equals u max; mu eq equals the logarithm of r a over phi",
 )
 _LOSS = Equation(
@@ -66,11 +66,11 @@ _DESIGN = Equation(
     "T_1 / T_2 <= e^(mu phi), quad T_2 >= C_w (T_1 - T_2), quad C_w = 1 / (e^(mu phi) - 1)",
     r"\frac{T_1}{T_2} \le e^{\mu\varphi},\quad T_2 \ge C_w (T_1 - T_2),\quad "
     r"C_w = \frac{1}{e^{\mu\varphi} - 1}",
-    "T1 over T2 is at most e to the mu phi; T2 is at least C w times T1 minus T2; C w equals one "
+    "T1 over T2 is at most e to the mu phi; T2 is not below C w times T1 minus T2; C w equals one "
     "over e to the mu phi minus 1",
 )
 _PAPER = Equation(
-    "The paper's march, segment by segment from the exit; L with an index is the arc left to "
+    "The paper's integration, segment by segment from the exit; L with an index is the arc left to "
     "the entry",
     "u_i = (T_1 - T_i) L_i / (M B) + c L_i / L + u(0), quad Delta T = mu p B Delta s",
     r"u_i = (T_1 - T_i)\frac{L_i}{MB} + c\,\frac{L_i}{L} + u(0),\quad "
@@ -97,7 +97,7 @@ def equations(
     arcs
         The arcs.
     paper, train, design
-        Whether the paper's march, speeds of a train, and design values are shown too.
+        Whether the paper's integration, speeds of a train, and design values are shown too.
     """
     return tuple(_chosen(arcs, paper=paper, train=train, design=design))
 

@@ -5,33 +5,28 @@ What only trains need is imported for them alone: the note of a single drive mus
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, fields, replace
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Literal, cast
 
-from wraparc.answer.arc_tables import (
-    answer_table,
-    belongs,
-    capacity_table,
-    creep_table,
-)
+from wraparc.answer.arc_tables import belongs
 from wraparc.answer.catalogue_sheets import law_table
-from wraparc.answer.checks_table import check_table, checks_summary
-from wraparc.answer.conditions_table import conditions_table
-from wraparc.answer.conveyor_table import conveyor_tables
-from wraparc.answer.design_values import comparison_table
-from wraparc.answer.drive_sheet import loads_table, method_remarks, with_sides
+from wraparc.answer.checks_table import checks_summary
+from wraparc.answer.drive_sheet import drive_sheet
 from wraparc.answer.input_tables import input_tables
 from wraparc.answer.inputs import Input, drive_inputs
-from wraparc.answer.least_tension import least_table, margins_table
-from wraparc.answer.sheet import Row, Table, Verdict, named, percent, quantity, shown, started
+from wraparc.answer.sheet import (
+    Row,
+    Sheet,
+    Table,
+    Verdict,
+    quantity,
+    shown,
+)
 from wraparc.answer.sources import Sources
-from wraparc.answer.wear_table import life_table, wear_table
-from wraparc.answer.words import verdict
 from wraparc.arc import DriveResult
 from wraparc.checks import Verdict as Judgement
 from wraparc.checks import judge
-from wraparc.drive import Drive, Lagging
-from wraparc.drive.conditions import SCALED
-from wraparc.errors import InputError, Problem
+from wraparc.drive import Drive
+from wraparc.errors import InputError, Problem, name_remedy
 from wraparc.errors import shown as quoted
 from wraparc.friction import Equation
 from wraparc.render.drawings import (
@@ -42,8 +37,8 @@ from wraparc.render.drawings import (
     pulley_drawing,
 )
 from wraparc.render.equations import equations
-from wraparc.render.note_tables import arcs_table, shares_table
-from wraparc.units import GIVEN_DIGITS, System, distinct
+from wraparc.render.note_sentences import assumptions, warnings
+from wraparc.units import GIVEN_DIGITS, System
 from wraparc.version import __version__
 
 if TYPE_CHECKING:
@@ -59,6 +54,16 @@ _MOST_PULLEYS_DRAWN = 4
 
 #: Columns of a table that leave no room for a further one.
 _FILLS = 8
+#: Parts of a note, and the tables of the answer that stand there by name; the others are of the
+#: arc that governs. What was put in is listed for the whole drive.
+_CHECKS, _RESULTS, _ACROSS, _PUT_IN = "checks", "results", "across", "inputs"
+_PARTS = {
+    "checks": _CHECKS, "least": _CHECKS,
+    "conditions": _RESULTS, "cases": _RESULTS, "figures": _RESULTS, "drives": _RESULTS,
+    "loads": _RESULTS,
+    "width": _ACROSS, "strips": _ACROSS, "defects": _ACROSS,
+    "conveyor": _PUT_IN, "inputs": "",
+}  # fmt: skip
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -108,15 +113,20 @@ class NoteHead:
                 message = f"must be printable text of at most {_LONGEST} characters"
                 problems.append(Problem(key=f.name, value=quoted(value), message=message))
         if self.paper not in PAPERS:
-            message = f"no such paper, only {' and '.join(PAPERS)}"
-            problems.append(Problem(key="paper", value=quoted(self.paper), message=message))
+            message, remedy = "no such paper", name_remedy(self.paper, PAPERS)
+            problems.append(
+                Problem(key="paper", value=quoted(self.paper), message=message, remedy=remedy)
+            )
         if problems:
             raise InputError(problems)
 
 
 @dataclass(frozen=True)
 class Section:
-    """A part of a note under one heading: sentences, then tables, pictures and equations."""
+    """A part of a note under one heading: sentences, then tables, pictures and equations.
+
+    `kind` is what its sentences are where they are listed without its heading.
+    """
 
     title: str
     sentences: tuple[str, ...] = ()
@@ -124,6 +134,7 @@ class Section:
     drawings: tuple[Drawing, ...] = ()
     equations: tuple[Equation, ...] = ()
     numbered: bool = False
+    kind: str = ""
 
     def shown(self, system: System) -> "Section":
         """Return it in a system of units."""
@@ -149,8 +160,6 @@ class Note:
         The answer in words.
     judged
         Every check.
-    summary
-        How the checks end, in one sentence.
     sections
         Everything else.
     """
@@ -161,7 +170,6 @@ class Note:
     belt: str
     told: Verdict
     judged: Judgement
-    summary: str
     about: tuple[tuple[str, str], ...]
     sections: tuple[Section, ...]
 
@@ -170,10 +178,14 @@ class Note:
         return replace(
             self,
             told=shown(self.told, system),
-            summary=shown(self.summary, system),
             about=shown(self.about, system),
             sections=tuple(section.shown(system) for section in self.sections),
         )
+
+    @property
+    def lines(self) -> tuple[tuple[str, str], ...]:
+        """Label and text of every line of the answer, those of the first screen."""
+        return ((self.told.word, self.told.text), *self.told.lines)
 
     @property
     def drawings(self) -> tuple[Drawing, ...]:
@@ -223,43 +235,43 @@ def compose_note(
     in_time
         Events that were followed for the note; their checks count in its verdict.
     """
-    first = results[0]
-    of = Sources()
+    first, of = results[0], Sources()
     judged = judge(first if train is None else train)
-    told = verdict(first) if train is None else _train_verdict(train)
+    answer = _answer(results, train, of)
+    told = cast(Verdict, answer.verdict)
     in_time_sections: tuple[Section, ...] = ()
     if in_time is not None:
         from wraparc.render.note_in_time import judged_with, section, told_with
 
         judged, told = judged_with(judged, in_time), told_with(told, in_time)
         in_time_sections = (Section("In time: events and vibrations", *section(in_time)),)
-    least = [t for t in (least_table(first if train is None else train),) if t]
-    details = tuple(_details(results, of))
-    inputs = Section("Inputs and where they came from", tables=_inputs(first, of, train))
-    assumed = Section("Assumptions", sentences=tuple(_assumptions(results, train)))
+    worst = belongs(first.governing)
     sections = [
         *_in_condition(
             first.drive,
-            Section("Checks against limits", tables=(check_table(judged, of, ""), *least)),
-            _results_section(results, train),
-            *details,
+            Section(
+                "Checks against limits", (checks_summary(judged), *told.sentences),
+                _of(answer, _CHECKS), kind="check",
+            ),
+            Section("Results by load case", tables=_of(answer, _RESULTS)),
+            Section(f"Governing arc: {worst}", drawings=_pictures(results)),
+            Section(f"Governing arc in detail: {worst}", tables=_of(answer, "arc")),
         ),
-        *_across_sections(first),
+        Section("Across the width", tables=_of(answer, _ACROSS), drawings=_across_pictures(first)),
         *in_time_sections,
-        inputs,
-        assumed,
+        Section("Inputs and where they came from", tables=_inputs(answer, first, of, train)),
+        Section("Assumptions", tuple(assumptions(results, train)), kind="assumption"),
         _equation_section(results, train),
-        Section("Warnings", sentences=tuple(_warnings(results))),
-        Section("Sources", sentences=of.listed(), numbered=True),
-    ]
+        Section("Warnings", tuple(warnings(results)), kind="warning"),
+        Section("Sources", of.listed(), numbered=True, kind="source"),
+    ]  # fmt: skip
     return Note(
         head=head,
         title=head.title or first.drive.title or "Drive",
         subtitle=first.drive.description,
         belt=first.drive.belt.name,
-        told=with_sides(told, results),
+        told=told,
         judged=judged,
-        summary=checks_summary(judged),
         about=tuple(_about(first.drive)),
         sections=tuple(
             replace(s, tables=tuple(map(_worded, s.tables)))
@@ -267,6 +279,20 @@ def compose_note(
             if s.sentences or s.tables or s.drawings or s.equations
         ),
     )
+
+
+def _answer(results: Sequence[DriveResult], train: "TrainResult | None", of: Sources) -> Sheet:
+    """Return the full answer, as on the screen."""
+    if train is None:
+        return drive_sheet(results, of=of)
+    from wraparc.answer.train_sheet import train_sheet
+
+    return train_sheet(train, pulleys=results, of=of)
+
+
+def _of(answer: Sheet, part: str) -> tuple[Table, ...]:
+    """Return the tables of an answer that stand in a part of its note."""
+    return tuple(table for table in answer.tables if _PARTS.get(table.name, "arc") == part)
 
 
 def _in_condition(drive: Drive, *sections: Section) -> Iterator[Section]:
@@ -308,17 +334,12 @@ def _worded_row(row: Row, table: Table) -> Row:
     return replace(row, note=": ".join(part for part in (row.mark, row.note) if part))
 
 
-def _train_verdict(train: "TrainResult") -> Verdict:
-    from wraparc.answer.train_words import train_verdict
-
-    return train_verdict(train)
-
-
-def _inputs(result: DriveResult, of: Sources, train: "TrainResult | None") -> tuple[Table, ...]:
+def _inputs(
+    answer: Sheet, result: DriveResult, of: Sources, train: "TrainResult | None"
+) -> tuple[Table, ...]:
     laws = (law_table(lagging) for lagging in result.drive.laggings)
-    inputs = note_inputs(result, train)
-    conveyor = conveyor_tables(result.drive, of) if train is None else ()
-    return (*conveyor, *input_tables(inputs, of, stated=True), *laws)
+    inputs = input_tables(note_inputs(result, train), of, stated=True)
+    return (*_of(answer, _PUT_IN), *inputs, *laws)
 
 
 def note_inputs(result: DriveResult, train: "TrainResult | None") -> tuple[Input, ...]:
@@ -330,95 +351,27 @@ def note_inputs(result: DriveResult, train: "TrainResult | None") -> tuple[Input
     return (*drive_inputs(result.drive, divided=True), *train_inputs(train.train))
 
 
-def _results_section(results: Sequence[DriveResult], train: "TrainResult | None") -> Section:
-    tables = [arcs_table(results, train or results[0]), loads_table(results[0])]
-    if results[0].drive.conditions:
-        tables.append(conditions_table(results[0], train or results[0]))
-    if train is not None:
-        from wraparc.answer.train_sheet import case_table
-
-        tables += [shares_table(train), case_table(train.governing)]
-    return Section("Results by load case", tables=tuple(tables))
-
-
-def _details(results: Sequence[DriveResult], of: Sources) -> Iterator[Section]:
-    """The arc that governs in full, with its pictures."""
+def _pictures(results: Sequence[DriveResult]) -> tuple[Drawing, ...]:
+    """Return the pulleys of the load case that governs, and the arc that does along its wrap."""
     first = results[0]
     worst = first.governing
     position = first.arcs.index(worst)
-    arcs = tuple(r.arcs[position] for r in results)
-    solved = tuple(r for r in arcs if r.status.solved)
     pulleys = [r for r in first if r.arc.load_case == worst.arc.load_case]
     pictures = [pulley_drawing(r) for r in pulleys[:_MOST_PULLEYS_DRAWN]]
     if worst.status.solved:
+        arcs = (r.arcs[position] for r in results)
+        solved = tuple(r for r in arcs if r.status.solved)
         pictures += [budget_drawing(solved), profile_drawing(solved)]
-    yield Section(f"Governing arc: {belongs(worst)}", drawings=tuple(pictures))
-    tables = []
-    if solved:
-        tables += [replace(answer_table(solved), title=""), creep_table(solved)]
-    tables += [t for t in (capacity_table(worst), margins_table(first, worst)) if t]
-    case = first.drive.load_case(worst.arc.load_case)
-    lagging = first.drive.pulley(worst.arc.pulley).lagging_in(case.condition)
-    tables.append(comparison_table(worst, lagging, of))
-    found = (wear_table(worst, lagging), life_table(worst, lagging, of))
-    tables += [table for table in found if table]
-    yield Section(f"Governing arc in detail: {belongs(worst)}", tables=tuple(tables))
+    return tuple(pictures)
 
 
-def _across_sections(result: DriveResult) -> Iterator[Section]:
-    """The belt across its width, where a pulley says what is uneven."""
+def _across_pictures(result: DriveResult) -> tuple[Drawing, ...]:
+    """Return the map of the worst pulley, where one says what is uneven across its width."""
     if not any(pulley.across for pulley in result.drive.pulleys):
-        return
-    from wraparc.answer.across_tables import across_tables, worst_first
+        return ()
+    from wraparc.answer.across_tables import worst_first
 
-    yield Section(
-        "Across the width",
-        tables=tuple(across_tables(result)),
-        drawings=(across_drawing(worst_first(result)[0]),),
-    )
-
-
-def _assumptions(results: Sequence[DriveResult], train: "TrainResult | None") -> Iterator[str]:
-    drive = results[0].drive
-    yield (
-        "Steady running; tension and pressure uniform over the width of the belt; weight, bending "
-        "and centrifugal force of the belt left out; diameters over the unloaded lagging."
-    )
-    if any(pulley.across for pulley in drive.pulleys):
-        yield (
-            "Across the width alone they are not uniform: the belt is cut into strips that its "
-            "in-plane shear couples, the spans are membranes held to their track."
-        )
-    told = "The friction law depends on slip and pressure, not on speed, temperature or time"
-    if any(lagging.factors is not None for lagging in drive.laggings):
-        told += " (but by the factors among the inputs, the least over the whole arc)"
-    yield f"{told}; it is that of the condition named ({_conditions(drive.laggings)})."
-    for lagging in (lagging for lagging in drive.laggings if SCALED in lagging.sources):
-        yield (
-            f"The law of {lagging.name} when {lagging.condition} is its dry law scaled as a whole "
-            f"({lagging.notes[-1]}; {lagging.sources[SCALED]}): not measured."
-        )
-    if any(lagging.law.tested is not None for lagging in drive.laggings):
-        yield (
-            "Below the lowest tested pressure the coefficient of friction is held constant, above "
-            "the highest the traction; both are extrapolations, as is slip beyond the tested range."
-        )
-    if any(p.recovery for p in drive.pulleys):
-        yield "The compressed lagging recovers as the pressure falls, which adds creep."
-    if train is not None:
-        yield (
-            "Friction on runs between drives is as given; the load is divided as the drive file "
-            "says, and belt mass flow is continuous."
-        )
-    if len(results) > 1:
-        yield (
-            "The headline numbers are those of the distributed method, which solves equilibrium "
-            "and creep along the wrap; the paper's march stands beside it as a second opinion."
-        )
-
-
-def _conditions(laggings: Sequence[Lagging]) -> str:
-    return ", ".join(f"{lagging.name}: {lagging.condition}" for lagging in laggings)
+    return (across_drawing(worst_first(result)[0]),)
 
 
 def _equation_section(results: Sequence[DriveResult], train: "TrainResult | None") -> Section:
@@ -427,28 +380,3 @@ def _equation_section(results: Sequence[DriveResult], train: "TrainResult | None
         results[0].arcs, paper=len(results) > 1, train=train is not None, design=design
     )
     return Section("Equations", equations=listed)
-
-
-def _warnings(results: Sequence[DriveResult]) -> Iterator[str]:
-    yield from judge(results[0]).remarks
-    for arc in results[0]:
-        if arc.status.solved and arc.extrapolates:
-            share = percent(arc.outside_tested_share)
-            yield (
-                f"{started(belongs(arc))}: on {share} of the wrap pressure or "
-                "slip lies outside the tested range; the friction is extrapolated there."
-            )
-    gross = results[0].governing.capacities.gross_slip_capacity
-    if gross == gross:
-        yield (
-            "The capacity at gross slip extrapolates the friction law, often far beyond any tested "
-            "slip; do not design by it."
-        )
-    yield from method_remarks(results)
-    limits = distinct(
-        named("creep_limit", limit) for limit in sorted(r.arc.creep_limit for r in results[0])
-    )
-    yield (
-        f"The creep limit ({', '.join(limits)}) is a limit of practice, not of strength; "
-        "this note does not check shaft, shell, or the belt's splice."
-    )

@@ -40,7 +40,7 @@ def section(in_time: InTime) -> tuple[tuple[str, ...], tuple[Table, ...], tuple[
     sentences = []
     for name, sheet in (
         *((run.event.name, sheet) for run, sheet in zip(in_time.runs, sheets, strict=True)),
-        ("Will it pulsate?", vibrations),
+        ("Is the drive stable?", vibrations),
     ):
         if sheet.verdict is not None:
             said = (sheet.verdict.text, *sheet.verdict.sentences)
@@ -60,9 +60,9 @@ def section(in_time: InTime) -> tuple[tuple[str, ...], tuple[Table, ...], tuple[
 def _run_drawing(run: RunResult) -> Drawing:
     peak, tension = run.peak_creep, run.peak_tension
     alt = (
-        f"Speed, tensions, pulls and creep over time, and creep over the wraps. The largest creep, "
+        f"Speed, tensions, Te and creep over time, and creep over the wraps. The peak creep, "
         f"{named('exit_creep', peak.value)}, comes at {peak.place} after "
-        f"{quantity(peak.time, 'time')}; the largest tension, "
+        f"{quantity(peak.time, 'time')}; the peak tension, "
         f"{named('entry_tension', tension.value)}, {tension.place}."
     )
     return Drawing(partial(plot_run, run), f"Event {run.event.name}.", alt)
@@ -71,8 +71,8 @@ def _run_drawing(run: RunResult) -> Drawing:
 def _stability_drawing(in_time: InTime) -> Drawing:
     found = in_time.stability
     alt = (
-        "How pull and creep answer to run-out of the last drum over frequency, and how other "
-        "controls compare; the table says it in numbers."
+        "Response of Te and creep to run-out of the last pulley over frequency, and other "
+        "controls; the table has the numbers."
     )
     caption = f"Run-out of {named('exit_creep', found.run_out)}: answer by frequency."
     return Drawing(partial(plot_stability, found), caption, alt)

@@ -22,7 +22,7 @@ def plain(text: str) -> str:
 
 
 def _lines(note: Note) -> Iterator[str]:
-    head, told = note.head, note.told
+    head = note.head
     yield f"# {plain(note.title)}"
     if note.subtitle:
         yield from ("", plain(note.subtitle))
@@ -30,10 +30,8 @@ def _lines(note: Note) -> Iterator[str]:
     for title, value in note.title_block:
         yield f"- {title}: {plain(value)}"
     yield ""
-    for label, text in ((told.word, told.text), *told.lines, ("Checks", note.summary)):
+    for label, text in note.lines:
         yield f"- **{label}** {plain(text)}"
-    if told.sentences:
-        yield from ("", *(f"- {plain(sentence)}" for sentence in told.sentences))
     for section in note.sections:
         yield from ("", f"## {plain(section.title)}")
         yield from _section(section)

@@ -43,11 +43,8 @@ def _data(note: Note) -> dict[str, Any]:
             ("Approved", "", ""),
         ),
         "level": str(note.told.level),
-        "word": note.told.word,
         "headline": note.told.text,
-        "lines": note.told.lines,
-        "sentences": note.told.sentences,
-        "summary": note.summary,
+        "lines": note.lines,
         "sections": sections_data(note.sections),
     }
 

@@ -116,7 +116,7 @@ class _Workbook:
         elif math.isnan(value):
             sheet.write_blank(row, column, None, style)
         elif math.isinf(value):
-            sheet.write_string(row, column, "without bound", style)
+            sheet.write_string(row, column, "infinite", style)
         else:
             sheet.write_number(row, column, value, style)
 
@@ -170,12 +170,8 @@ class _Workbook:
     def _summary(self) -> None:
         sheet, note = self._sheet("Summary", landscape=False), self.note
         self._put(sheet, 0, 0, note.title, self.book.add_format({"bold": True, "font_size": 15}))
-        told = note.told
-        pairs = (
-            *note.title_block, (told.word, told.text), *told.lines, ("Checks", note.summary)
-        )  # fmt: skip
         row = 1
-        for title, value in (*pairs, *(("", sentence) for sentence in told.sentences)):
+        for title, value in (*note.title_block, *note.lines):
             self._put(sheet, row, 0, title, self.bold)
             sheet.merge_range(row, 1, row, 8, "", self.wrapped)
             self._put(sheet, row, 1, value, self.wrapped)
@@ -261,7 +257,7 @@ class _Workbook:
         ends = cell is not None and cell.form in ("to", "-") and cell.other != cell.value
         if cell is None or cell.form == "unit" or ends:
             return text, ""
-        if cell.form == "percent":
+        if cell.form in ("percent", "percent fixed", "percent signed"):
             return 100.0 * cell.value, "%"
         unit, size = self._unit(cell.dimension)
         value = cell.value
@@ -316,7 +312,7 @@ class _Workbook:
         for method, arc in enumerate(arcs):
             for k, name in enumerate(quantities):
                 first = method * len(names)
-                words = GLOSSARY[name].title + (", paper's march" if method else "")
+                words = GLOSSARY[name].title + (", paper's integration" if method else "")
                 colour = "#000000" if method else (_BLUE, _ORANGE)[k]
                 line = {"color": colour, "width": 1.0 if method else 2.0}
                 if k:
@@ -368,9 +364,8 @@ class _Workbook:
                 of.note(entry.origin)
         rows += [("source", text) for text in of.listed()]
         for section in self.note.sections:
-            if section.title in ("Assumptions", "Warnings", "Sources"):
-                kind = section.title.lower().rstrip("s")
-                rows += [(kind, text) for text in section.sentences]
+            if section.kind:
+                rows += [(section.kind, text) for text in section.sentences]
             rows += [("equation", f"{e.title}: {e.latex}") for e in section.equations]
         sheet = self._table("Sources", ("Kind", "Text"), dict.fromkeys(rows))
         sheet.set_column(1, 1, 120, self.wrapped)
@@ -392,7 +387,7 @@ _CHARTS = (
 
 def _told(origin: Provenance) -> tuple[str, str, str]:
     source = ", ".join(part for part in (origin.source, origin.date) if part)
-    return origin.kind.value, source, origin.note
+    return origin.kind_text, source, origin.note
 
 
 def _belongs(arc: ArcResult) -> tuple[str, str, str]:

@@ -119,7 +119,7 @@ def _data(report: Report, *, single: bool = False) -> dict[str, Any]:
     front = len(plan_tables(report.result))
     sections = (
         Section("", tables=sheet.tables[:front]),
-        Section("Remarks", sentences=sheet.remarks),
+        Section("Remarks", sentences=(*(verdict.sentences if verdict else ()), *sheet.remarks)),
         Section("", drawings=report.drawings),
         # each by itself, in the order of the sheet: side by side they would be too narrow
         *(Section("", tables=(table,)) for table in sheet.tables[front:]),
@@ -137,10 +137,7 @@ def _data(report: Report, *, single: bool = False) -> dict[str, Any]:
         "single": single,
         "signatures": signatures(report.result),
         "level": str(verdict.level) if verdict else "OK",
-        "word": verdict.word if verdict else "OK",
         "headline": verdict.text if verdict else "",
-        "lines": verdict.lines if verdict else (),
-        "sentences": verdict.sentences if verdict else (),
-        "summary": "",
+        "lines": ((verdict.word, verdict.text), *verdict.lines) if verdict else (),
         "sections": sections_data(s for s in sections if s.sentences or s.tables or s.drawings),
     }

@@ -99,6 +99,6 @@ def _made(date: str) -> datetime:
 
 def _untypeset(error: Any) -> Problem:
     return Problem(
-        message=f"the note cannot be set as an accessible PDF: {error.message}",
-        remedy="Write names and titles in letters that an installed font has, or choose .md.",
+        message=f"no accessible PDF is possible: {error.message}",
+        remedy="Use letters of an installed font, or choose .md.",
     )

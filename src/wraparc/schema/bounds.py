@@ -56,11 +56,11 @@ def check_toml(text: str, file: str = "") -> None:
         (_MANY_PARTS.search(text), f"a key of more than {MOST_KEY_PARTS} parts"),
     ):
         if found:
-            raise _refused(message, "Is it the right file?", file, text, found.start())
+            raise _refused(message, "Check that it is the right file.", file, text, found.start())
     bare = _TOML_TEXT.sub("", text)
     if _LONG_WORD.search(bare):
         message = f"a key or number of more than {LONGEST_KEY} characters"
-        raise _refused(message, "Is it the right file?", file)
+        raise _refused(message, "Check that it is the right file.", file)
     _check_counts(bare, bare.count("="), file)
 
 
@@ -84,7 +84,9 @@ def check_json(text: str) -> None:
     _check_counts(whole, whole.count(":"), "", _JSON_REMEDY)
 
 
-def _check_counts(bare: str, keys: int, file: str, remedy: str = "Is it the right file?") -> None:
+def _check_counts(
+    bare: str, keys: int, file: str, remedy: str = "Check that it is the right file."
+) -> None:
     """Refuse by a text without its strings and comments."""
     tables = bare.count("[") + bare.count("{")
     for count, most, what in (
@@ -94,12 +96,12 @@ def _check_counts(bare: str, keys: int, file: str, remedy: str = "Is it the righ
     ):
         _check_count(count, most, what, file, remedy)
     if tables > DEEPEST and _deepest(bare) > DEEPEST:
-        message = f"is nested too deeply: lists and tables in more than {DEEPEST} others"
+        message = f"is nested more than {DEEPEST} deep"
         raise _refused(message, remedy, file)
 
 
 def _check_count(
-    count: int, most: int, what: str, file: str, remedy: str = "Is it the right file?"
+    count: int, most: int, what: str, file: str, remedy: str = "Check that it is the right file."
 ) -> None:
     if count > most:
         raise _refused(f"holds {count:,} {what}; at most {most:,} are read", remedy, file)

@@ -11,7 +11,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from wraparc.errors import InputError, nearest, shown
+from wraparc.errors import InputError, format_names, nearest
 from wraparc.schema.limits import Limit
 from wraparc.schema.problems import NOTHING, Place, Report, place_text
 from wraparc.schema.quantity_text import quantity_text
@@ -168,8 +168,8 @@ class Choice(Kind):
             return raw
         if isinstance(raw, str) and raw in self.others:
             return self.others[raw]
-        allowed = ", ".join(shown(option) for option in self.options)
-        report.add(place, f"must be one of {allowed}", nearest(raw, self.options), raw)
+        message = f"must be one of {format_names(self.options)}"
+        report.add(place, message, nearest(raw, self.options, 1), raw)
         return NOTHING
 
     def written(self, value: Any) -> Any:
@@ -258,7 +258,7 @@ class Rows(Kind):
             return NOTHING
         if not self.least <= len(raw) <= self.most:
             count = f"{self.least} to {self.most}" if self.least else f"at most {self.most}"
-            report.add(place, f"must have {count} entries, and has {len(raw)}")
+            report.add(place, f"must have {count} entries", value=len(raw))
             return NOTHING
         labels = table_labels(raw)
         return [
@@ -293,7 +293,7 @@ class ByName(Kind):
             report.add(place, "must be a table", f"Write [{place[-1]}.NAME].", raw)
             return NOTHING
         if len(raw) > self.most:
-            report.add(place, f"must have at most {self.most} entries, and has {len(raw)}")
+            report.add(place, f"must have at most {self.most} entries", value=len(raw))
             return NOTHING
         return {
             name: self.kind.read(item, (*place, name), report)

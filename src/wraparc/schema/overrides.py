@@ -8,7 +8,7 @@ import tomllib
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any, TypeVar
 
-from wraparc.errors import InputError, Problem, input_error, nearest, shown
+from wraparc.errors import InputError, Problem, input_error, name_remedy, shown
 from wraparc.schema.below import below, own_key
 from wraparc.schema.file_kinds import parse_kind
 from wraparc.schema.kinds import Kind, table_labels
@@ -180,10 +180,9 @@ def _index(rows: list[Any], step: str | int, done: Place) -> int:
     if 1 <= position <= len(rows):
         return position - 1
     names = [str(label) for label in labels]
-    there = ", ".join(shown(label) for label in labels) or "none"
     raise input_error(
-        message=f"{place_text(done)} has nothing called {shown(step)}; there is {there}",
-        remedy=nearest(step, names),
+        message=f"{place_text(done)} has nothing called {shown(step)}",
+        remedy=name_remedy(step, names),
     )
 
 

@@ -31,16 +31,20 @@ def read_text(path: str | os.PathLike[str]) -> str:
     try:
         status = os.stat(path)
         if stat.S_ISDIR(status.st_mode):
-            raise _file_problem(file, "is a folder", "Give the path of a file in it.")
+            raise _file_problem(file, "is a folder", "Name a file in it.")
         if not stat.S_ISREG(status.st_mode):
             raise _file_problem(file, "is not a plain file", "Give the path of a text file.")
         if status.st_size > LARGEST:
             size = f"{status.st_size / 1e6:.1f} MB"
             raise _file_problem(
-                file, f"is {size} large, more than {LARGEST / 1e6:.0f} MB", "Is it the right file?"
+                file,
+                f"is {size} large, more than {LARGEST / 1e6:.0f} MB",
+                "Check that it is the right file.",
             )
         with open(path, "rb") as stream:
             data = stream.read(LARGEST + 1)
+    except FileNotFoundError:
+        raise _file_problem(file, "file not found") from None
     except (OSError, ValueError) as error:
         if isinstance(error, InputError):
             raise
@@ -61,8 +65,8 @@ def decoded(data: bytes, file: str = "") -> str:
     except UnicodeDecodeError as error:
         line = data[: error.start].count(b"\n") + 1
         problem = Problem(
-            message=f"is not UTF-8 text: byte 0x{data[error.start]:02x} at position {error.start}",
-            remedy="Save it as UTF-8.",
+            message=f"is not UTF-8 text: byte 0x{data[error.start]:02x}",
+            remedy="Save it as UTF-8 text.",
             file=file,
             line=line,
         )
@@ -78,19 +82,21 @@ def parse(text: str, file: str = "") -> Document:
         If it is no TOML, with the line, or holds more than is read.
     """
     if len(text) > LARGEST:
-        raise _file_problem(file, "is too large", "Is it the right file?")
+        raise _file_problem(file, "is too large", "Check that it is the right file.")
     check_toml(text, file)
     try:
         return tomllib.loads(text)
     except RecursionError:
-        raise _file_problem(file, "is nested too deeply", "Is it the right file?") from None
+        raise _file_problem(
+            file, "is nested too deeply", "Check that it is the right file."
+        ) from None
     except tomllib.TOMLDecodeError as error:
         position = _POSITION.search(str(error))
         line = int(position[1]) if position else text.count("\n") + 1
         raise InputError(syntax_problem(text, line, file)) from None
     except ValueError:  # of int(), beyond the digits it converts
         message = "holds a whole number of thousands of digits"
-        raise _file_problem(file, message, "Is it the right file?") from None
+        raise _file_problem(file, message, "Check that it is the right file.") from None
 
 
 def check_format(document: Document, file: str = "") -> None:
@@ -102,7 +108,7 @@ def check_format(document: Document, file: str = "") -> None:
     if whole and 1 <= given <= FORMAT:
         return
     if whole and given > FORMAT:
-        message = f"the file is of a newer format; this version of wraparc reads up to {FORMAT}"
+        message = f"must be at most {FORMAT} for this version of wraparc"
         remedy = "Update wraparc."
     else:
         message, remedy = "must be a whole number from 1", f"Write format = {FORMAT}."
@@ -153,5 +159,5 @@ def _stands_before(written: str, lines: list[str]) -> bool:
     return key != "" and key in keys
 
 
-def _file_problem(file: str, message: str, remedy: str) -> InputError:
+def _file_problem(file: str, message: str, remedy: str = "") -> InputError:
     return input_error(message=message, remedy=remedy, file=file)

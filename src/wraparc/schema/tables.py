@@ -6,7 +6,7 @@ from dataclasses import MISSING, Field, dataclass, field, fields, replace
 from functools import cached_property
 from typing import Any, NamedTuple
 
-from wraparc.errors import nearest, shown
+from wraparc.errors import format_list, nearest, shown
 from wraparc.schema.kinds import Choice, Flag, Kind, Quantity, WordOr
 from wraparc.schema.limits import Limit
 from wraparc.schema.problems import NOTHING, Place, Report
@@ -172,7 +172,7 @@ class Table(Kind):
             unknown = self._without_misplaced(unknown, place, report)
         for key in unknown:
             remedy = "" if report.full else unknown_key_remedy(key, known)
-            report.add((*place, key), "unknown key", remedy, given[key])
+            report.add((*place, key), "unknown key", remedy)
         record = Record({}, place, given)
         for key, entry in known.items():
             if key in given:
@@ -244,8 +244,8 @@ class Table(Kind):
     def having(self, *entries: Entry) -> "Table":
         """Return the table with other entries in place of those of the same keys."""
         other = {entry.key: entry for entry in entries}
-        entries = (other.get(e.key, e) for e in self.entries)
-        return Table(self.title, *entries, of=self.of, misplaced=self.misplaced)
+        these = [other.get(e.key, e) for e in self.entries]
+        return Table(self.title, *these, of=self.of, misplaced=self.misplaced)
 
     def _without_misplaced(self, unknown: list[str], place: Place, report: Report) -> list[str]:
         """Return unknown keys without those that belong elsewhere, which are one problem."""
@@ -377,8 +377,8 @@ def _sound(value: object) -> bool:
 
 
 def unknown_key_remedy(key: str, known: Iterable[str]) -> str:
-    """Return the nearest known keys, or all of them."""
-    return nearest(key, known) or f"The keys here are {', '.join(known)}."
+    """Return the nearest known keys, or which there are."""
+    return nearest(key, known) or f"Write one of {format_list([*known])}."
 
 
 def missing_remedy(entry: Entry) -> str:
@@ -389,5 +389,5 @@ def missing_remedy(entry: Entry) -> str:
     if isinstance(kind, Quantity):
         return f"Write for example {entry.key} = {shown(DIMENSION_TEXT[kind.dimension].example)}."
     if isinstance(kind, Choice):
-        return f"Write {entry.key} = {shown(kind.options[0])} or another of its words."
+        return f"Write {entry.key} = {shown(kind.options[0])} or another word."
     return f"Add {entry.key}."

@@ -36,8 +36,8 @@ def checked_reason(reason: str, key: str = "accept_misfit") -> str:
     if text and len(text) <= _LONGEST_REASON and text.isprintable():
         return text
     raise input_error(
-        message=f"must be a reason in words, of at most {_LONGEST_REASON} printable characters",
-        remedy="Say why the law may be used although it does not describe its tests.",
+        message=f"must be text of 1 to {_LONGEST_REASON} printable characters",
+        remedy="Give the reason to use the law.",
         key=key,
         value=shown(reason),
     )

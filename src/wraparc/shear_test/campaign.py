@@ -74,8 +74,8 @@ def order_sentences(
     if several and abs(together) > _CONFOUNDED:
         way = "upwards" if together > 0.0 else "downwards"
         text = (
-            f"the pressures were tested in their order, {way}: what the sample has worn meanwhile "
-            "cannot be told from what pressure does"
+            f"the pressures were tested in their order, {way}: wear of the sample cannot be "
+            "separated from the effect of pressure"
         )
         if fresh:
             return [], [f"{text}; each test had a sample of its own, so the rig's drift is left"]
@@ -98,8 +98,9 @@ def lot_sentences(tests: Sequence[TestResult], levels: Integers) -> list[str]:
     if len(at) < 2 or not all(lots) or sum(map(len, at.values())) > len(np.unique(levels)):
         return []
     return [
-        f"lots {', '.join(map(repr, at))} were tested at pressures of their own: what they differ "
-        "by cannot be told from what pressure does; test one pressure on all of them"
+        f"lots {', '.join(map(repr, at))} were tested at pressures of their own: their "
+        "difference cannot be separated from the effect of pressure; test one pressure on all of "
+        "them"
     ]
 
 
@@ -153,7 +154,7 @@ def _trend(
             "or the rig drifts; repeat the first test, or take a new sample for each"
         ], []
     return [], [
-        "friction shows no trend with the order of the tests beyond chance: "
+        "friction shows no significant trend with the order of the tests: "
         f"{100 * np.expm1(change):+.0f} % from the first to the last, standard error "
         f"{100 * error:.0f} %"
     ]

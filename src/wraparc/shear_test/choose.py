@@ -6,8 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from wraparc.arrays import Array
-from wraparc.errors import InputError, Problem, shown
-from wraparc.machine_tables import ColumnUnit, NamedColumn, find_column, listed, read_unit
+from wraparc.errors import InputError, Problem, format_list, name_remedy, shown
+from wraparc.machine_tables import ColumnUnit, NamedColumn, find_column, read_unit
 from wraparc.shear_test.record import Choices
 from wraparc.shear_test.roles import (
     ROLE_DIMENSION,
@@ -23,7 +23,6 @@ from wraparc.shear_test.roles import (
 from wraparc.units import DIMENSION_TEXT
 
 _NEEDED = (Role.TRAVEL, Role.FORCE)
-_EXAMPLE = {"length": "mm", "force": "N", "time": "s"}
 # Names as good as each other; a name that leaves no doubt; courses that are one, of their range.
 _NEAR, _SURE, _COURSE = 1.5, 4.5, 0.05
 
@@ -70,10 +69,10 @@ def choose_columns(
             candidates = _candidates(named, data, role, given, columns, guess=not demanded)
             if not candidates and role is Role.FORCE and choices.stress_area is not None:
                 candidates = [(column, 0.0) for column in stresses(named, given)]
-            column = _best(named, data, role, given, candidates, problems, notes, file)
+            column = _best(named, data, role, given, candidates, problems, notes, file, choices)
         if column is None:
             continue
-        unit = _unit_of(column, role, given, file, problems, choices.stress_area)
+        unit = _unit_of(column, role, given, file, problems, choices)
         if unit is not None:
             columns[role] = (column, unit)
             notes.extend(filter(None, [unit.note]))
@@ -93,16 +92,17 @@ def _best(
     problems: list[Problem],
     notes: list[str],
     file: str,
+    choices: Choices,
 ) -> NamedColumn | None:
     """The best candidate, if there is one and no other may as well be meant."""
     if not candidates:
         if role in _NEEDED:
-            problems.append(_no_column(named, role, file))
+            problems.append(_no_column(named, role, file, choices))
         return None
     best = candidates[0][0]
     rivals = _rivals(named, data, role, given, candidates)
     if rivals:
-        problems.append(_no_column(named, role, file, [best, *rivals]))
+        problems.append(_no_column(named, role, file, choices, [best, *rivals]))
         return None
     if len(candidates) > 1:
         notes.append(_choice_note(role, [column for column, _ in candidates]))
@@ -130,9 +130,9 @@ def _given_units(
             continue
         said, stated = read_unit(unit), read_unit(column.unit)
         if said is None:
-            problems.append(_wrong_unit(column, unit, "no unit that is known", file))
+            problems.append(_wrong_unit(column, unit, "no such unit", file))
         elif stated is not None and stated.dimension != said.dimension:
-            message = f"the file says {column.unit!r} for this column"
+            message = f"contradicts {shown(column.unit)} in the file"
             problems.append(_wrong_unit(column, unit, message, file))
         else:
             given[column.index] = unit
@@ -142,7 +142,7 @@ def _given_units(
 def _wrong_unit(column: NamedColumn, unit: str, message: str, file: str) -> Problem:
     return Problem(
         message=message,
-        remedy="Leave the unit out, or correct it or the file.",
+        remedy="Leave the unit out, or correct it.",
         file=file,
         key=f"units[{column.label!r}]",
         value=shown(unit),
@@ -250,34 +250,35 @@ def _unit_of(
     given: Mapping[int, str],
     file: str,
     problems: list[Problem],
-    stress_area: float | None,
+    choices: Choices,
 ) -> ColumnUnit | None:
     dimension = ROLE_DIMENSION[role]
     text = given.get(column.index, column.unit)
     stress = read_unit(text) if role is Role.FORCE else None
     if stress is not None and stress.dimension == "pressure":
-        if stress_area is None:
-            problems.append(_no_area(column, text, file))
+        if choices.stress_area is None:
+            problems.append(_no_area(column, text, file, choices))
             return None
-        note = f"the force is {column.label!r} [{text}] times {stress_area * 1e4:.6g} cm2"
-        return ColumnUnit(text, "force", stress.factor * stress_area, note)
+        note = f"the force is {column.label!r} [{text}] times {choices.stress_area * 1e4:.6g} cm2"
+        return ColumnUnit(text, "force", stress.factor * choices.stress_area, note)
     unit = read_unit(text, dimension)
     stated = read_unit(column.unit, dimension)
     if unit is not None and unit.dimension == dimension:
         if stated is not None and not np.isclose(stated.factor, unit.factor, rtol=1e-9):
-            message = f"the file says {column.unit!r} for this column"
+            message = f"contradicts {shown(column.unit)} in the file"
             problems.append(_wrong_unit(column, text, message, file))
             return None
         return unit
     if role is Role.TIME and column.index not in given:
         return None
-    kind, example = DIMENSION_TEXT[dimension].name, _EXAMPLE[dimension]
-    said = f"has the unit {text!r}, which is not {kind}" if text else "has no unit in the file"
+    kind = DIMENSION_TEXT[dimension].name
+    said = f"has unit {text}, which is not {kind}" if text else "has no unit"
     problems.append(
         Problem(
-            message=f"the {role.value.replace('_', ' ')} column {column.label!r} {said}",
-            remedy=f"Give it: --unit '{column.label}={example}' on the command line, or "
-            f"units = {{ {shown(column.label)} = {shown(example)} }} in a plan (or what it is).",
+            message=f"column {column.label} {said}",
+            remedy=f'Add units = {{ {shown(column.label)} = "?" }}.'
+            if choices.in_plan
+            else f"Add --unit '{column.label}=?'.",
             file=file,
         )
     )
@@ -296,14 +297,17 @@ def stresses(named: Sequence[NamedColumn], given: Mapping[int, str]) -> list[Nam
     ]
 
 
-def _no_area(column: NamedColumn, text: str, file: str) -> Problem:
+def _no_area(column: NamedColumn, text: str, file: str, choices: Choices) -> Problem:
     return Problem(
-        message=f"the force column {column.label!r} holds a stress [{text}], not a force",
-        remedy="Say what area the machine divided the force by (often that of the sample, of one "
-        'face or of both): stress_area = "400 cm2" in a plan, --stress-area "400 cm2" on the '
-        "command line. Or export the force.",
+        message=f"column {column.label} holds a stress [{text}], not a force",
+        remedy=f"Add {_option('stress_area', choices)}, or export the force.",
         file=file,
     )
+
+
+def _option(key: str, choices: Choices) -> str:
+    """Return what states a choice: a key of the plan, or an option of the command line."""
+    return key if choices.in_plan else f"--{key.replace('_', '-')}"
 
 
 def _choice_note(role: Role, candidates: Sequence[NamedColumn]) -> str:
@@ -319,8 +323,8 @@ def _unknown_column(
     named: Sequence[NamedColumn], key: str, wanted: str | int, file: str
 ) -> Problem:
     return Problem(
-        message=f"there is no such column; the table has {listed(named)}",
-        remedy="Write one of these names, or its number.",
+        message="no such column",
+        remedy=name_remedy(wanted, [c.label for c in named]),
         file=file,
         key=key,
         value=shown(wanted),
@@ -328,22 +332,18 @@ def _unknown_column(
 
 
 def _no_column(
-    named: Sequence[NamedColumn], role: Role, file: str, rivals: Sequence[NamedColumn] = ()
+    named: Sequence[NamedColumn],
+    role: Role,
+    file: str,
+    choices: Choices,
+    rivals: Sequence[NamedColumn] = (),
 ) -> Problem:
     stress = [c for c in named if role is Role.FORCE and is_stress(c.name)]
-    hint = (
-        f" If {stress[0].label!r} is the force over an area, say over which: --stress-area, "
-        "stress_area in a plan."
-        if stress
-        else ""
-    )
-    said = f"the table has {listed(named)}"
-    if rivals:
-        said = " and ".join(repr(c.label) for c in rivals[:4]) + " may be, with other numbers"
-    option = role.value.replace("_", "-")
+    option = _option(role.value, choices)
+    names = [f"{shown(c.label)} [{c.unit}]" if c.unit else shown(c.label) for c in rivals or named]
+    remedy = f"Add {option} with one of {format_list(names, 4)}."
+    if stress:
+        remedy = f"Add {option}, or {_option('stress_area', choices)} for {shown(stress[0].label)}."
     return Problem(
-        message=f"it cannot be told which column is the {role.value.replace('_', ' ')}; {said}",
-        remedy=f'Name it: --{option} NAME on the command line, {role.value} = "NAME" '
-        f"in a plan (or its number).{hint}",
-        file=file,
+        message=f"{role.value.replace('_', ' ')} column unclear", remedy=remedy, file=file
     )

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from wraparc.arrays import Array, Flags
-from wraparc.errors import InputError, Problem, shown
+from wraparc.errors import InputError, Problem, format_names, name_remedy, shown
 from wraparc.friction import peak_from_ab
 from wraparc.machine_tables import RawTable, find_tables, refused
 from wraparc.shear_test.budget import ReadOff, Uncertainty
@@ -86,11 +86,11 @@ def read_points(data: bytes, file: str) -> list[Points]:
         try:
             found = list(_in_json(json.loads(data), "", 0))
         except (ValueError, RecursionError):
-            raise refused(file, "it begins as JSON and is none", "Export it again.") from None
+            raise refused(file, "is no valid JSON", "Export it again.") from None
     else:
         found = _in_table(data, file)
     if len(found) > _MOST_CURVES:
-        raise refused(file, f"it holds {len(found)} curves", f"At most {_MOST_CURVES} are read.")
+        raise refused(file, f"holds {len(found)} curves", f"At most {_MOST_CURVES} are read.")
     curves = [
         Points(name, *np.array(sorted(points), dtype=float).T)
         for name, points in found
@@ -99,8 +99,8 @@ def read_points(data: bytes, file: str) -> list[Points]:
     if not curves:
         raise refused(
             file,
-            "there is no digitised curve in it",
-            "Export x and y of the points as CSV, or the JSON of the digitiser.",
+            "holds no digitised curve",
+            "Export the points as CSV or JSON.",
         )
     return curves
 
@@ -324,8 +324,8 @@ def _refuse_scale(of: Digitised, taken: list[tuple[PlannedTest, Points]]) -> Non
                 problems += refused(f"{test.file}: {curve.name}", message, remedy).problems
     end = max(float(curve.x.max()) for _, curve in taken) * of.metres
     if of.slip_unit is None and not _USUAL_SLIP[0] <= end <= _USUAL_SLIP[1]:
-        message = f"missing: the slip would end at {end * 1e3:.3g} mm, which tests seldom do"
-        remedy = 'Say the unit of x: slip_unit = "in", or "mm" where it is that.'
+        message = f"missing: in mm the slip would end at {end * 1e3:.3g} mm"
+        remedy = 'Write slip_unit = "?" with the unit of x.'
         problems += refused(taken[0][0].file, message, remedy, key="digitised.slip_unit").problems
     if problems:
         raise InputError(problems)
@@ -335,9 +335,9 @@ def _refuse_unitless(of: Digitised, file: str) -> None:
     """Ask for the units without which A and b mean nothing."""
     given = {"slip_unit": of.slip_unit, "pressure_unit": of.pressure_unit}
     problems = [
-        Problem(message="missing", remedy=f'Say it: {key} = "{usual}".', file=file,
+        Problem(message="missing", remedy=f'Write {key} = "?" with its unit.', file=file,
                 key=f"digitised.{key}")
-        for (key, value), usual in zip(given.items(), ("mm", "kPa"), strict=True)
+        for key, value in given.items()
         if value is None
     ]  # fmt: skip
     if problems:
@@ -350,8 +350,8 @@ def _wanted(curves: list[Points], test: PlannedTest) -> list[Points]:
         if len(curves) > 1 and test.pressure is not None:
             raise refused(
                 test.file,
-                f"one pressure is given for its {len(curves)} curves",
-                "Give each a [[test]] with its curve and pressure, or name them by pressure.",
+                f"one pressure for {len(curves)} curves",
+                "Give each curve its own [[test]] with pressure.",
                 key="pressure",
             )
         return curves
@@ -359,13 +359,12 @@ def _wanted(curves: list[Points], test: PlannedTest) -> list[Points]:
         return [replace(curves[0], name=test.curve)]
     chosen = [curve for curve in curves if curve.name.strip() == test.curve.strip()]
     if len(chosen) > 1:
-        raise refused(test.file, f"{len(chosen)} curves are named so", _RENAME, key="curve")
+        raise refused(test.file, f"{len(chosen)} curves have this name", _RENAME, key="curve")
     if not chosen:
-        listed = ", ".join(shown(curve.name) for curve in curves[:10])
         raise refused(
             test.file,
-            "there is no such curve",
-            f"The file has {listed}.",
+            "no such curve",
+            name_remedy(test.curve, [curve.name for curve in curves]),
             key="curve",
             value=shown(test.curve),
         )
@@ -377,10 +376,8 @@ def _refuse_condition(label: str, curve: Points, test: PlannedTest) -> None:
     said = _CONDITIONS.search(curve.name)
     if said and said[1].casefold() not in test.condition.casefold():
         own = shown(said[1].casefold())
-        remedy = (
-            f"Give it a [[test]] of its own with curve = {shown(curve.name)}, condition = {own}."
-        )
-        raise refused(label, f"its name says {own}, its test {shown(test.condition)}", remedy)
+        remedy = f"Give it a [[test]] with condition = {own}."
+        raise refused(label, f"is named {own}, its test {shown(test.condition)}", remedy)
 
 
 def _refuse_again(record: MachineRecord, others: dict[str, MachineRecord]) -> None:
@@ -390,7 +387,7 @@ def _refuse_again(record: MachineRecord, others: dict[str, MachineRecord]) -> No
     same = next((name for name, other in others.items() if other.digest == record.digest), None)
     if same is not None:
         remedy = "Click its own points, or take it out."
-        raise refused(record.file, f"it has the same points as {shown(same)}", remedy)
+        raise refused(record.file, f"has the same points as {shown(same)}", remedy)
 
 
 def _letter(test: PlannedTest, curve: Points) -> str:
@@ -407,9 +404,9 @@ def _coefficient_curves(
             raise refused(taken[0][0].file, f"two curves are named {title}", _RENAME)
     by = dict(zip(letters, taken, strict=True))
     if not {"a", "b"} <= by.keys():
-        listed = ", ".join(shown(curve.name) for _, curve in taken[:10])
-        remedy = 'Name them in the file, or say curve = "A" and curve = "b" in a [[test]] for each.'
-        raise refused(taken[0][0].file, f"A and b are not both in it, but {listed}", remedy)
+        listed = format_names([curve.name for _, curve in taken], 4)
+        remedy = 'Write curve = "A" and curve = "b" in two [[test]].'
+        raise refused(taken[0][0].file, f"lacks A or b, and has {listed}", remedy)
     (test, a), (_, b) = by["a"], by["b"]
     beyond = a.x[(a.x * _EDGE < b.x[0]) | (a.x > b.x[-1] * _EDGE)]
     if len(beyond):

@@ -81,7 +81,7 @@ def fit_plan(
         if progress is not None:
             progress(number, len(plan.used_tests), test.file)
     if not results:
-        raise InputError(problems or [Problem(message="the plan uses no test", file=plan.file)])
+        raise InputError(problems or [Problem(message="uses no test", file=plan.file)])
     names = dict.fromkeys(result.test.condition for result in results)
     conditions = [_condition(plan, name, results, problems) for name in names]
     if not any(conditions):
@@ -106,8 +106,8 @@ def _refuse_duplicate(
         if first.place != test.place and _are_same_readings(record, other):
             raise refused(
                 record.file,
-                f"the file holds the same data as {first.place}: it was counted once",
-                "Name the right file, or take this test out of the plan.",
+                f"holds the same data as {first.place}",
+                "Name the right file, or remove this test.",
             )
     seen.append((test, record))
 
@@ -128,8 +128,8 @@ def _are_same_readings(record: MachineRecord, other: MachineRecord) -> bool:
 def _not_fitted(error: Exception) -> Problem:
     """What to say of readings that no curve can be laid through."""
     return Problem(
-        message=f"no curve can be laid through its readings ({error})",
-        remedy="Look at the readings: wraparc read FILE. Columns, units or a broken sensor?",
+        message=f"no curve fits its readings ({error})",
+        remedy="Check columns and units: wraparc read FILE.",
     )
 
 
@@ -202,9 +202,8 @@ def _refuse_long_lash(plan: TestPlan, test: PlannedTest, travel: float) -> None:
         return
     raise refused(
         test.file,
-        f"the lash held by the plan, {lash * 1e3:.3g} mm, leaves no slip of its "
-        f"{travel * 1e3:.3g} mm of travel",
-        "Correct lash in fixed of [fit], or leave it out to have it fitted.",
+        f"lash {lash * 1e3:.3g} mm leaves no slip of {travel * 1e3:.3g} mm travel",
+        "Correct lash in fixed of [fit], or leave it out.",
     )
 
 
@@ -274,8 +273,8 @@ def _farthest(own: Sequence[TestResult]) -> int:
 def _no_law(said: str) -> Problem:
     """What to say of a test with which there is no law."""
     return Problem(
-        message=f"with this test no law can be laid through those of its condition ({said})",
-        remedy="Look at its readings and its fit alone: wraparc read FILE, or a plan of its own.",
+        message=f"no law fits its condition with this test ({said})",
+        remedy="See wraparc read FILE.",
     )
 
 

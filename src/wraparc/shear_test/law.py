@@ -24,8 +24,8 @@ _CLOSE = 1e-3
 _APART = 1.001
 _ONE_PRESSURE_SCATTER = 0.02
 _METHOD = (
-    "integral-log law to each curve (soft-L1), then over pressure by generalised least "
-    "squares with the scatter between samples; covariance of the knots"
+    "integral-log law to each curve (soft-L1), then over pressure by generalised least squares "
+    "with the scatter between samples; covariance of the knots"
 )
 
 

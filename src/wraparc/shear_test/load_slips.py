@@ -84,7 +84,7 @@ def set_questions(plan: TestPlan, tests: Sequence[TestResult]) -> list[str]:
     )
     if any(test.test.pressure is not None for test in tests):
         text += (
-            f", and sample_area: {_area(plan.rig.area)} is given, "
+            f", and sample_area: {_area(plan.rig.area)} as input, "
             f"{_area(plan.rig.area * factor)} would agree"
         )
     return [f"{text}. The measured force was used"]
@@ -142,15 +142,15 @@ def _question(others: CurvePoints, pressure: float, ln_friction: float) -> str:
             return (
                 f"was its pressure {quantity(np.exp(p), 'pressure')}, not "
                 f"{quantity(pressure, 'pressure')}? At "
-                f"{quantity(np.exp(p), 'pressure')} its pull would fit the other tests (friction "
+                f"{quantity(np.exp(p), 'pressure')} its force would fit the other tests (friction "
                 f"{friction / factor:.3g} instead of {friction:.3g}); see the pressure or normal "
                 "force in the plan and its unit"
             )
     for factor in () if alone else _both(_PULL_FACTORS):
         if _off(at, means, np.log(pressure), ln_friction + np.log(factor)) < _FITS:
             return (
-                f"its friction of {friction:.3g} would fit the other tests if its pull were "
-                f"{_times(factor)}; see unit and factor of the pull, and how many faces slid"
+                f"its friction of {friction:.3g} would fit the other tests if its force were "
+                f"{_times(factor)}; see unit and factor of the force, and how many faces slid"
             )
     return ""
 

@@ -81,7 +81,7 @@ def judged_fit(
     if curve.first_friction > _LATE * top:
         share = 100 * curve.first_friction / top
         text = (
-            f"the first reading already has {share:.0f} % of the largest friction: the rise from "
+            f"the first reading already has {share:.0f} % of the maximum friction: the rise from "
             "zero was not recorded, and the slip before it is not known"
         )
         misfit.append(Sentence("late start", text))
@@ -90,7 +90,7 @@ def judged_fit(
     zero = abs(fit.parameters.zero)
     if zero > _ZERO_LIMIT * top:
         text = (
-            f"before the slip starts the force is {100 * zero / top:.1f} % of its largest value: "
+            f"before the slip starts the force is {100 * zero / top:.1f} % of its maximum: "
             "more than an error of its zero; the rig itself may rub"
         )
         misfit.append(Sentence("rubbing", text))
@@ -103,9 +103,9 @@ def _not_a_zero(curve: FrictionCurve, top: float) -> list[Sentence]:
         return []
     text = (
         f"before the slip starts the force is {200 * curve.zero_unknown / top:.0f} % of its "
-        f"largest value: more than the {100 * MOST_ZERO:.0f} % that are taken for an error of "
+        f"maximum: more than the {100 * MOST_ZERO:.0f} % that are taken for an error of "
         "its zero, so nothing was taken off; the rig may rub or the sample may have been under "
-        "load, and the intervals hold either"
+        "load, and the intervals include both"
     )
     return [Sentence("rubbing", text)]
 
@@ -128,23 +128,23 @@ def _lash_held(
     most = quantity(largest, "length", 2)
     if lash > largest + 2.0 * error:
         sentence = (
-            f"the curve asks for a lash of {quantity(lash, 'length')}, more than the {most} the "
-            "rig can have: the lash was held there, and the law does not describe the start"
+            f"the curve requires a lash of {quantity(lash, 'length')}, more than the {most} the "
+            "rig can have: the lash was fixed there, and the law does not describe the start"
         )
         held = fit_curve(curve, bending=bending, lash=largest, held=free.held)
         return held, [Sentence("large lash", sentence)]
     negative = lash < -2.0 * error and lash < -1e-3 * curve.travel[-1]
     if negative and not _loaded(curve, free, top):
         sentence = (
-            f"the curve asks for a lash of {quantity(lash, 'length')}, the wrong sign: friction "
-            "rises faster from its start than the law does; the lash was held at 0"
+            f"the curve requires a lash of {quantity(lash, 'length')}, the wrong sign: friction "
+            "rises faster from its start than the law does; the lash was fixed at 0"
         )
         held = fit_curve(curve, bending=bending, lash=0.0, held=free.held)
         return held, [Sentence("lash of wrong sign", sentence)]
     if negative and lash < -largest - 2.0 * error:
         sentence = (
-            f"the curve asks for {quantity(-lash, 'length')} of slip before the record starts, "
-            f"more than the {most} of lash the rig can have: the lash was held at 0, and the law "
+            f"the curve requires {quantity(-lash, 'length')} of slip before the record starts, "
+            f"more than the {most} of lash the rig can have: the lash was fixed at 0, and the law "
             "does not describe the start"
         )
         held = fit_curve(curve, bending=bending, lash=0.0, held=free.held)
@@ -194,9 +194,9 @@ def _remainder(fit: CurveFit, curve: FrictionCurve, top: float) -> list[Sentence
     worst = max(means, key=lambda k: abs(means[k]))
     place = quantity((worst + 0.5) / _STRETCHES * fit.slip_max, "length", 2)
     text = (
-        f"the law leaves a systematic remainder of {100 * share:.1f} % of the largest friction "
-        f"({_in_levels(levels)}), "
-        f"largest ({means[worst]:+.3f}) near {place} of slip"
+        f"the law leaves a systematic remainder of {100 * share:.1f} % of the maximum friction "
+        f"({_in_levels(levels)}), maximum "
+        f"({means[worst]:+.3f}) near {place} of slip"
     )
     return [Sentence("remainder", text)]
 
@@ -211,13 +211,13 @@ def _remarks(fit: CurveFit, curve: FrictionCurve, top: float) -> tuple[str, ...]
         remarks.append(
             "the record has no flat part before the slip starts, or a short one, so the zero of "
             f"the force cannot be verified: it is taken to be good to "
-            f"{100 * curve.zero_unknown / top:.1f} % of the largest force (one standard "
-            "deviation), and the intervals hold that"
+            f"{100 * curve.zero_unknown / top:.1f} % of the maximum force (one standard "
+            "deviation), and the intervals include that"
         )
     q, error = fit.parameters, fit.error("ln_peak_slip")
     if not fit.peak_inside and error > _UNKNOWN_PEAK:
         remarks.append(
-            f"the peak lies beyond the tested {quantity(fit.slip_max, 'length')} and this curve "
+            f"the peak is outside the tested {quantity(fit.slip_max, 'length')} and this curve "
             f"does not determine it (peak slip uncertain by a factor of {np.exp(1.96 * error):.1f})"
         )
     if q.lash < 0.0 and "lash" in fit.free:
@@ -229,7 +229,8 @@ def _remarks(fit: CurveFit, curve: FrictionCurve, top: float) -> tuple[str, ...]
     swings = fit.noise > _SWINGS * curve.noise and fit.noise > 0.5 * _NOISY * top
     if swings and curve.swing is None and fit.remainder < _REMAINDER * top:
         remarks.append(
-            f"the friction swings about the curve by {100 * fit.noise / top:.0f} %, slower than "
+            f"the friction oscillates about the curve by {100 * fit.noise / top:.0f} %, slower "
+            "than "
             "the noise of the readings: it may be stick-slip"
         )
     if "post_peak_slope" in fit.free and "residual_friction" not in fit.free:
@@ -242,8 +243,8 @@ def _remarks(fit: CurveFit, curve: FrictionCurve, top: float) -> tuple[str, ...]
 def stick_slip(swing: Swing) -> Sentence:
     """Say how much of the friction is stick-slip."""
     text = (
-        f"stick-slip: friction swings by {100 * swing.size:.0f} % from its largest to its "
-        f"smallest, every {quantity(swing.period, 'length', 2)}; the law is that of its middle. "
+        f"stick-slip: friction varies by {100 * swing.size:.0f} % from its maximum to its "
+        f"minimum, every {quantity(swing.period, 'length', 2)}; the law is that of its middle. "
         'Say which is meant: stick_slip = "mean", "upper" or "lower"'
     )
     return Sentence("stick-slip", text)

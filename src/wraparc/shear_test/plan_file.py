@@ -38,8 +38,7 @@ _CHOICES = (
 # A figure has no rig: what was pressed and pulled is a friction already.
 _NO_RIG = {"sample_area": "1 m2", "faces": 1}
 _SHEAR_OF_FIGURE = (
-    "Does the slip of the figure include the sample's own shear? true takes it off, false leaves "
-    "it in; without thickness nothing is asked."
+    "Write true if the slip of the figure includes the shear of the sample, else false."
 )
 _FIGURE_UNITS: dict[str, Dimension] = {"slip_unit": "length", "pressure_unit": "pressure"}
 
@@ -109,9 +108,8 @@ def _check_cover(record: Any, report: Report) -> None:
     if record.get("cover_thickness") and "cover_shear_modulus" not in record:
         report.add(
             (*record.place, "cover_shear_modulus"),
-            "missing, and the cover shears",
-            "Give it (0.8 to 1.5 MPa is usual), or leave [test_belt] out: its shear then stays in "
-            "the slip, and the law says so.",
+            "missing: the cover shears",
+            "Give it (mostly 0.8 to 1.5 MPa), or leave [test_belt] out.",
         )
 
 
@@ -182,12 +180,12 @@ def _test(record: Record, position: int, common: Any, report: Report) -> Any:
     if "pressure" in record and "normal_force" in record:
         report.add(
             (*record.place, "normal_force"),
-            "given, and pressure as well",
-            "Keep one of them: pressure = normal force / sample area.",
+            "contradicts pressure",
+            "Remove one of them.",
             record.raw["normal_force"],
         )
     if record.get("use") is False and not record.get("reason", "").strip():
-        why = 'Say why the test is left out: reason = "the sample had slipped in its clamp".'
+        why = 'Write reason = "the sample had slipped in its clamp".'
         report.add((*record.place, "reason"), "missing", why)
     said = {**common, **record}
     choices = {key: said[key] for key in _CHOICES if key in said}
@@ -195,5 +193,5 @@ def _test(record: Record, position: int, common: Any, report: Report) -> Any:
         choices["normal_force"] = said["normal_force_column"]
     units = {**common.get("units", {}), **record.get("units", {})}
     pull = {"stroke": said.get("stroke", "first"), "stick_slip": said.get("stick_slip", "")}
-    own = Choices(units=units, **choices)
+    own = Choices(units=units, in_plan=True, **choices)
     return TEST.built(record, report, place=place, choices=own, **pull)

@@ -82,21 +82,22 @@ _FILE_ENTRIES = (
     ),
     Entry(
         "stroke",
-        "Which pull of a record of several: first if left out, last after run-in cycles, the "
+        "Which stroke of a record of several: first if left out, last after run-in cycles, the "
         "readings of all, or their mean at each travel.",
         Choice(STROKES),
     ),
     Entry(
         "stick_slip",
-        "Which part of stick-slip is fitted: the mean of its swings, or their upper or lower ends.",
+        "Which part of stick-slip is fitted: the mean of its oscillation, or its upper or lower "
+        "ends.",
         Choice(STICK_SLIP),
     ),
 )
-COLUMNS = Table("What holds for all files", *_FILE_ENTRIES)
+COLUMNS = Table("Common to all files", *_FILE_ENTRIES)
 
 LAGGING = Table(
     "Lagging",
-    need("name", "Name that drive files ask for it by.", Name()),
+    need("name", "Name of the lagging in drive files.", Name()),
     Entry("title", "Name in words.", Text()),
     Entry("description", kind=Text(2000, lines=True)),
     Entry("surface", "Material that touches the belt.", Choice(SURFACES)),
@@ -135,11 +136,14 @@ RIG = Table(
     ),
     Entry("faces", "Faces of the sample that slide, 2 if left out.", Count(1, 2)),
     Entry("compliance", "The rig's own travel for a force, such as 0.02 mm/kN.", Text(40)),
-    Entry("largest_lash", "Lash the rig can have, 3 mm if left out.", _LENGTH),
+    Entry(
+        "largest_lash", "Lash the rig can have, 3 mm if left out.", _LENGTH, title="Maximum lash"
+    ),
     Entry(
         "least_friction",
         "A test that reaches less is left out: a unit or column is wrong; 0.02 if left out.",
         _FRICTION,
+        title="Minimum friction",
     ),
     Entry(
         "most_friction",
@@ -171,7 +175,7 @@ TEST_BELT = Table(
 
 _PART = Percent(0.5)
 UNCERTAINTY = Table(
-    "Largest errors, common to all tests",
+    "Maximum errors, common to all tests",
     Entry("force", 'Of the pulling force: "0.5 %" for class 0.5; 1 % if left out.', _PART),
     Entry("normal_force", "Of the normal force or set pressure; 1 % if left out.", _PART),
     Entry("area", "Of the sample area; 1 % if left out.", _PART),
@@ -179,7 +183,7 @@ UNCERTAINTY = Table(
     Entry("zero", "Of the zero of the pulling force; 0 if left out.", _FORCE_OR_NONE),
     Entry(
         "compliance",
-        "Of the rig's compliance; 20 % of it if left out, or 0.05 mm/kN where it is not given.",
+        "Of the rig's compliance; 20 % of it if left out, or 0.05 mm/kN where it is missing.",
         Text(40),
     ),
     Entry(
@@ -208,12 +212,12 @@ DIGITISED = Table(
     Entry("slip_unit", "Unit of x, mm if left out; A and b are per it, and need it.", Text(20)),
     Entry("pressure_unit", "Unit of pressure under A and b.", Text(20)),
     Entry("error", "Of a point, as a share of full scale; 1 % if left out.", _PART),
-    Entry("slip_max", "Slip up to which A and b hold, their peak if left out.", _LENGTH),
+    Entry("slip_max", "Slip up to which A and b are valid, their peak if left out.", _LENGTH),
     of=Digitised,
 )
 
 FIXED = Table(
-    "Held parameters of the curves",
+    "Fixed parameters of the curves",
     Entry("peak_slip", "Slip at the peak.", _LENGTH),
     Entry("peak_friction", "Friction at the peak.", _FRICTION),
     Entry("lash", "Lash of the rig.", Quantity("length", Limit("length"))),
@@ -234,7 +238,7 @@ FIT_OPTIONS = Table(
         Flag(),
         title="Remove the sample's shear",
     ),
-    Entry("fixed", 'Held instead of fitted, such as { lash = "0.5 mm" }.', FIXED),
+    Entry("fixed", 'Fixed instead of fitted, such as { lash = "0.5 mm" }.', FIXED),
     of=PressureOptions,
 )
 
@@ -251,9 +255,9 @@ _CIRCUMSTANCES = (
     Entry("operator", "Who tested, if not the operator of the rig.", Text()),
     Entry("lot", "Lot of the specimen.", Text()),
     Entry("belt_cover", "What the lagging slides on.", Text()),
-    Entry("conditioning", "How sample and belt were kept and prepared before.", Text(500)),
+    Entry("conditioning", "How sample and belt were stored and prepared before.", Text(500)),
 )
-ALL_TESTS = Table("What holds for all tests", *_CIRCUMSTANCES)
+ALL_TESTS = Table("Common to all tests", *_CIRCUMSTANCES)
 
 TEST = Table(
     "Test",
@@ -289,7 +293,7 @@ PLAN = Table(
     need("rig", kind=RIG, example='[rig] with sample_area = "400 cm2"'),
     Entry("test_belt", "Its cover, to take its shear off the travel.", TEST_BELT),
     Entry("columns", kind=COLUMNS),
-    Entry("all_tests", "What holds for all tests; a [[test]] overrules it.", ALL_TESTS),
+    Entry("all_tests", "Common to all tests; a [[test]] overrules it.", ALL_TESTS),
     Entry("report", "Title block and signatures of the report.", REPORT),
     Entry("uncertainty", "How wrong the measured may be.", UNCERTAINTY),
     Entry("digitised", "Curves of a figure in the place of tests.", DIGITISED),

@@ -124,7 +124,7 @@ def choose_form(
     if scatter is None:
         scatter = _scatter_without_repeats(points, options)
         notes.append(
-            "too few repeated tests to tell the scatter between samples from the form of the "
+            "too few repeated tests to separate the scatter between samples from the form of the "
             "pressure dependence: it was taken from the distance of the curves from the law"
         )
     caution: Array = np.where(flagged, 0.1, 1.0)

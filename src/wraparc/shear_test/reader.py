@@ -34,10 +34,10 @@ from wraparc.shear_test.one_test import (
 from wraparc.shear_test.record import Choices, ColumnInfo, Dropped, MachineRecord
 from wraparc.shear_test.roles import Role, is_known, suitability
 
-_EXPORT = "Export the test as a table of travel and force, one row a reading, as CSV or Excel."
+_EXPORT = "Export travel and force, one row a reading."
 _FACTORS = re.compile(r"(?i)fa[ck]t|gain|scal|skal|multipl|verst|sensit|empf|offset|calib|kalib")
 _NO_FACTOR = {"0", "1", "0.0", "1.0", "0,0", "1,0"}
-_NAME_DECIMAL = 'Name it: --decimal , (or .) on the command line, decimal = "," in a plan.'
+_NAME_DECIMAL = "Give --decimal (in a plan: decimal)."
 
 
 def read_machine_file(path: str | Path, choices: Choices | None = None) -> MachineRecord:
@@ -155,7 +155,7 @@ def _wanted_blocks(
         count = f"{len(blocks)} tests side by side" if len(blocks) > 1 else "one test only"
         raise refused(
             file,
-            f"the table holds {count}",
+            f"holds {count}",
             f"Write a number from 1 to {len(blocks)}." if len(blocks) > 1 else "Leave it out.",
             key="block",
             value=str(choices.block),
@@ -164,12 +164,10 @@ def _wanted_blocks(
         return [choices.block - 1]
     if every or len(blocks) == 1:
         return list(range(len(blocks)))
-    listed = "; ".join(f"{k} is {_columns(block)}" for k, block in enumerate(blocks[:4], start=1))
     raise refused(
         file,
-        f"{len(blocks)} tests stand side by side in it: {listed}",
-        "Say which one this is: block = 1 in its [[test]], a [[test]] for each "
-        "(wraparc read shows them all).",
+        f"holds {len(blocks)} tests side by side",
+        "Write block = 1 for the first (wraparc read FILE shows all).",
     )
 
 
@@ -209,14 +207,12 @@ def _pick_table(
 ) -> tuple[RawTable, tuple[str, ...], int]:
     """The table to read, notes on the others, and how many of them look like further tests."""
     if not tables:
-        raise refused(
-            file, "there is no table in it: no line has two numbers side by side", _EXPORT
-        )
+        raise refused(file, "has no line with two numbers", _EXPORT)
     if choices.table is not None:
         if not 1 <= choices.table <= len(tables):
             raise refused(
                 file,
-                f"the file has {len(tables)} tables",
+                f"has {len(tables)} tables",
                 f"Write a number from 1 to {len(tables)}.",
                 key="table",
                 value=str(choices.table),
@@ -245,11 +241,10 @@ def _pick_table(
 
 
 def _only_settings(tables: Sequence[RawTable], file: str) -> InputError:
-    where = ", ".join(table.place for table in tables[:3])
     return refused(
         file,
-        f"it holds settings or results ({where}: each row under a name of its own), no readings",
-        f"{_EXPORT} If they are readings, name the table: table = 1.",
+        f"holds settings or results in {tables[0].place}, no readings",
+        f"{_EXPORT}",
     )
 
 
@@ -269,9 +264,8 @@ def _refuse_ragged(tables: Sequence[RawTable], best: RawTable, file: str) -> Non
         return
     raise refused(
         file,
-        "the rows have changing numbers of cells, as decimal commas between "
-        "delimiting commas give, and cannot be told apart",
-        "Export with decimal points, or with semicolons or tabs between the columns.",
+        "its rows change their number of cells, as decimal commas make them",
+        "Export with decimal points, semicolons or tabs.",
         line=int(best.lines[0]),
     )
 
@@ -281,18 +275,15 @@ def _named(table: RawTable, choices: Choices, file: str) -> list[NamedColumn]:
     if _is_split(table, len(named)) and choices.travel is None:
         raise refused(
             file,
-            f"its {len(named)} columns of whole numbers are what decimal commas make "
-            "of fewer columns where commas stand between the cells: each number was split in "
-            "two",
-            "Export with decimal points, or with semicolons or tabs between the columns.",
+            f"its {len(named)} columns of whole numbers look split at decimal commas",
+            "Export with decimal points, semicolons or tabs.",
             line=int(table.lines[0]),
         )
     if complaint and choices.travel is None:
         raise refused(
             file,
-            f"{complaint}: it cannot be told which belongs to which",
-            "Name the columns by number: --travel 1 --force 2 with their --unit, or "
-            "export with another delimiter or with decimal points.",
+            complaint,
+            "Name the columns by number: --travel 1 --force 2.",
             line=int(table.lines[0]),
         )
     return named
@@ -361,9 +352,8 @@ def _refuse_factors(table: RawTable, file: str) -> None:
         ):
             raise refused(
                 file,
-                f"a row of factors stands above the readings ({' '.join(said)}); it is "
-                "not said whether they are taken into account",
-                "Multiply the readings by them if they are not, and delete that line.",
+                f"has factors above the readings: {' '.join(said[:4])}",
+                "Multiply the readings by them, and delete the line.",
                 line=line,
             )
 
@@ -382,7 +372,7 @@ def _style(table: RawTable, choices: Choices, file: str) -> tuple[NumeralStyle, 
             return NumeralStyle(choices.decimal), ()
         raise refused(
             file,
-            f"the file shows the other one, in {table.style.proof}",
+            f"contradicts {table.style.proof} in the file",
             "Leave the decimal sign out.",
             key="decimal",
             value=shown(choices.decimal),
@@ -423,8 +413,8 @@ def _kept_rows(
 
 
 def _no_rows(file: str, dropped: Sequence[Dropped]) -> InputError:
-    reasons = "; ".join(f"{d.count} rows: {d.reason}" for d in dropped)
-    return refused(file, f"no row of the table can be used ({reasons})", _EXPORT)
+    first = max(dropped, key=lambda d: d.count)
+    return refused(file, f"no usable row ({first.count} rows: {first.reason})", "See wraparc read.")
 
 
 def _info(name: str, unit: str, role: str, values: Array) -> ColumnInfo:

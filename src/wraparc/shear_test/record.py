@@ -33,6 +33,8 @@ class Choices:
         Which of several tests that stand side by side in the table, counted from 1.
     stress_area
         Area that the machine divided the force by, where the force column is a stress [m2].
+    in_plan
+        Whether a plan says this, where what is missing is to be written.
     """
 
     travel: str | int | None = None
@@ -47,6 +49,7 @@ class Choices:
     table: int | None = None
     block: int | None = None
     stress_area: float | None = None
+    in_plan: bool = False
 
 
 @dataclass(frozen=True, kw_only=True)

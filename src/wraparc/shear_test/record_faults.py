@@ -148,7 +148,7 @@ def travel_faults(record: MachineRecord, rows: Integers, direction: int) -> list
         begin, end = (float(np.median(load[part])) for part in (held[:half], held[-half:]))
         if end > 0.99 * begin:
             found.append(
-                f"the travel stands at its largest value in {len(held)} readings, to the digit, "
+                f"the travel is constant at its maximum in {len(held)} readings, to the digit, "
                 "and the force does not relax: the travel was at the end of its sensor, and the "
                 "slip after it is not known"
             )
@@ -157,7 +157,8 @@ def travel_faults(record: MachineRecord, rows: Integers, direction: int) -> list
     rises = count >= least and float(load[rows[count - 1]] - load[rows[0]]) > 0.1 * top
     if rises:
         found.append(
-            f"the travel stands at its first value in {count} readings, to the digit, while the "
+            f"the travel is constant at its first value in {count} readings, to the digit, while "
+            "the "
             "force rises: the slip under it is not known"
         )
     faults = [Fault("travel at its end", text) for text in found]
@@ -266,8 +267,8 @@ def stall(travel: Array, friction: Array, top: float, onset: float) -> list[Faul
     where = Cell(b, "length", 2, "to", a)
     text = (
         f"friction rises less from {where} of travel than over as much "
-        f"after it, by {100 * most / top:.0f} % of its largest value: slack was taken up again, "
-        "or the pull stopped"
+        f"after it, by {100 * most / top:.0f} % of its maximum: slack was taken up again, "
+        "or the stroke stopped"
     )
     return [Fault("stall", text)]
 

@@ -172,8 +172,8 @@ def reduce_record(record: MachineRecord, sample: Sample) -> FrictionCurve:
     if not found:
         raise _refused(
             record,
-            "the travel does not advance: no pull can be found in it",
-            "See that the travel column is the right one (--travel).",
+            "the travel does not advance",
+            "Check the travel column (--travel).",
         )
     used = {"first": found[:1], "last": found[-1:]}.get(sample.stroke, found)
     for stroke in used:
@@ -227,27 +227,27 @@ def _check(record: MachineRecord, rows: np.ndarray[tuple[int], np.dtype[np.int64
     if len(rows) < LEAST_POINTS:
         raise _refused(
             record,
-            f"only {len(rows)} readings of the pull can be used; {LEAST_POINTS} are needed",
-            "Record the test at a higher rate, or see why rows were dropped: wraparc read FILE.",
+            f"only {len(rows)} usable readings, minimum {LEAST_POINTS}",
+            "See wraparc read FILE, or record at a higher rate.",
         )
     if not np.any(record.force[rows]):
         raise _refused(
             record,
             "the force is zero throughout",
-            "See that the force column is the right one (--force).",
+            "Check the force column (--force).",
         )
     advance, largest = (float(v) for v in (np.ptp(record.travel[rows]), np.abs(record.force).max()))
     if not _LEAST_TRAVEL < advance < _MOST_TRAVEL or largest > _MOST_FORCE:
         raise _refused(
             record,
-            f"the travel advances by {advance:.3g} m under {largest:.3g} N: no shear test does",
-            "See that columns and units are the right ones: wraparc read FILE.",
+            f"implausible travel {advance:.3g} m at force {largest:.3g} N",
+            "Check columns and units: wraparc read FILE.",
         )
     if len(np.unique(record.travel[rows])) < LEAST_POINTS:
         raise _refused(
             record,
             "the travel has fewer than 10 different values",
-            "See that the travel column is the right one (--travel).",
+            "Check the travel column (--travel).",
         )
 
 
@@ -263,13 +263,11 @@ def _refuse_odd_friction(
         for factor, what in sorted(_SLIPS, key=lambda of: abs(math.log(top * of[0] / _LIKELY)))
         if allowed[0] <= top * factor <= allowed[1]
     ]
-    hint = f"; it would be {', or '.join(fitting)}" if fitting else ""
+    hint = f" ({fitting[0]})" if fitting else ""
     raise _refused(
         record,
-        f"its friction reaches {top:.3g}, outside the {allowed[0]:g} to {allowed[1]:g} that a test "
-        f"may reach{hint}",
-        "See the columns and units of both forces (wraparc read FILE) and the set pressure; where "
-        "the friction is right, widen least_friction and most_friction in [rig].",
+        f"friction {top:.3g} is outside {allowed[0]:g} to {allowed[1]:g}{hint}",
+        "Check units and pressure, or widen most_friction in [rig].",
     )
 
 
@@ -280,10 +278,9 @@ def _refuse_saturated(record: MachineRecord, travel: Array, forces: dict[str, Ar
         if count:
             raise _refused(
                 record,
-                f"{count} of {len(values)} readings of the {name} equal the largest, "
-                f"{values.max():.5g} N, to the digit: its load cell, or its amplifier, was at its "
-                "end, and the force above is not known",
-                "Repeat the test with a larger range, or leave it out of the plan.",
+                f"{count} of {len(values)} readings of the {name} are clipped at "
+                f"{values.max():.5g} N",
+                "Repeat the test with a larger range.",
             )
 
 
@@ -300,8 +297,8 @@ def _normal_force(record: MachineRecord, sample: Sample) -> Array:
     if sample.normal_force is None:
         raise _refused(
             record,
-            "there is no normal force: none is measured in the file and none is given",
-            "Give pressure, normal_force or normal_force_column for this test in the plan.",
+            "has no normal force",
+            "Give pressure, normal_force or normal_force_column in the plan.",
         )
     return np.full(len(record.travel), sample.normal_force)
 

@@ -78,7 +78,7 @@ def law_sentences(plan: TestPlan, found: Findings) -> tuple[tuple[str, ...], tup
     beyond = sum(not t.fit.peak_inside for t in tests)
     if beyond:
         remarks.append(
-            f"the peak lies beyond the tested slip in {beyond} of {len(tests)} tests: past that "
+            f"the peak is outside the tested slip in {beyond} of {len(tests)} tests: past that "
             "slip the law is an extrapolation"
         )
     return tuple(misfit), tuple(remarks)
@@ -163,7 +163,7 @@ def _compliance(plan: TestPlan, tests: Sequence[TestResult]) -> list[str]:
     other = fit_curve(test.curve, bending=test.fit.bending + more, start=test.fit)
     own, moved = (fit.parameters.peak_slip for fit in (test.fit, other))
     return [
-        "the rig's own travel is not given (compliance): 0.05 mm/kN, for example, would put the "
+        "the rig's own travel is missing (compliance): 0.05 mm/kN, for example, would put the "
         f"peak slip at {quantity(test.curve.pressure, 'pressure')} at "
         f"{quantity(moved, 'length')} instead of {quantity(own, 'length')} "
         f"({100 * (moved / own - 1.0):+.1f} %)"
@@ -176,8 +176,8 @@ def _zero(tests: Sequence[TestResult]) -> list[str]:
         return []
     return [
         f"{unknown} of {len(tests)} records have no flat part before the slip starts, or a short "
-        "one: their zero of the force cannot be verified, and the intervals hold up to "
-        f"{100 * UNKNOWN_ZERO:.0f} % of the largest force for it (one standard deviation)"
+        "one: their zero of the force cannot be verified, and the intervals include up to "
+        f"{100 * UNKNOWN_ZERO:.0f} % of the maximum force for it (one standard deviation)"
     ]
 
 
@@ -222,7 +222,7 @@ def _held(plan: TestPlan) -> list[str]:
         f"lash {quantity(held.lash, 'length', 4)}" if held.lash is not None else "",
     ]
     text = ", ".join(part for part in said if part)
-    return [f"held in every curve, as the plan says, not fitted: {text}"] if text else []
+    return [f"fixed in every curve, as the plan says, not fitted: {text}"] if text else []
 
 
 def _slip_reached(tests: Sequence[TestResult], levels: Integers) -> str:
@@ -258,7 +258,7 @@ def _repeats(tests: Sequence[TestResult], found: Findings) -> list[str]:
     for k in np.flatnonzero(found.flagged).tolist():
         alone = not np.any((found.levels == found.levels[k]) & ~found.flagged)
         friction = tests[k].fit.parameters.peak_friction
-        which = "; which of them is wrong cannot be told" if alone else "; it counts little"
+        which = "; which of them is wrong is not known" if alone else "; it counts little"
         sentences.append(
             f"{tests[k].name}: disagrees with its repeats by {found.repeat_distances[k]:.1f} "
             f"standard deviations (peak friction {friction:.3f}){which}; see whether sample, "
@@ -312,8 +312,8 @@ def _cover_sentence(plan: TestPlan) -> str:
     if plan.digitised is not None:
         return "whether the slip of the figure includes the shear of a belt cover is not stated"
     return (
-        "the shear of the test belt's cover is in the slip, for its thickness and modulus were not "
-        "given ([test_belt])"
+        "the shear of the test belt's cover is in the slip, for its thickness and modulus are "
+        "missing ([test_belt])"
     )
 
 
@@ -337,7 +337,7 @@ def _shear_sentence(plan: TestPlan) -> str:
             "written without thickness, so that the shear is not counted twice"
         )
     return (
-        "the sample's own shear is in the slip, for thickness and shear modulus were not given; "
+        "the sample's own shear is in the slip, for thickness and shear modulus are missing; "
         "the lagging is written without thickness, so that the shear is not counted twice"
     )
 
@@ -346,7 +346,7 @@ def _form(law: PressureFit, choice: PressureChoice) -> list[str]:
     remarks = [f"pressure dependence: {law.form}", *choice.notes]
     if law.form.nodes:
         remarks.append(
-            "no trend line follows the curves within their scatter, so the law holds a value of "
+            "no trend line follows the curves within their scatter, so the law has a value of "
             "its own at each tested pressure; between them it interpolates"
         )
     return remarks
@@ -366,7 +366,7 @@ def _transition(plan: TestPlan, found: Findings) -> list[str]:
         return [f"no transition is shown: a smooth law does as well{estimate}"]
     at = quantity(transition.pressure, "pressure")
     if transition.given:
-        return [f"transition pressure given: {at}{estimate}"]
+        return [f"transition pressure, input: {at}{estimate}"]
     # no interval: where samples scatter, that of the profile is too narrow
     text = f"transition pressure about {at}, which samples that scatter can shift far{estimate}"
     if not transition.in_law:
@@ -375,6 +375,6 @@ def _transition(plan: TestPlan, found: Findings) -> list[str]:
     if not transition.inside:
         remarks.append(
             "that transition lies at the edge of where these pressures could show one: test at "
-            "more pressures beyond it"
+            "more pressures past it"
         )
     return remarks

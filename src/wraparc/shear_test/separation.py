@@ -83,7 +83,7 @@ def separate(
     design = np.array([_within(c.value[c.group], levels) for c in known]).T
     if known and freedom < _FREEDOM:
         names = " and ".join(c.name for c in known)
-        remarks.append(f"too few tests to tell what {names} does")
+        remarks.append(f"too few tests for the effect of {names}")
         known = []
     if len(known) > 1 and _agreement(design) > _TOGETHER:
         remarks.append("speed and temperature changed together: what either does is not known")
@@ -98,9 +98,9 @@ def separate(
         change = f"{100 * np.expm1(slope * span):+.1f} ± {100 * half * span:.1f} %"
         over = f"from {c.told[0]} to {c.told[-1]} friction changes by {change}"
         if abs(slope) <= half or abs(slope * span) < _LEAST:
-            remarks.append(f"{over}: no effect of {c.name} that the tests can tell")
+            remarks.append(f"{over}: no effect of {c.name} that the tests resolve")
             continue
-        remarks.append(f"{over}: taken off the curves, and kept with the law as a factor")
+        remarks.append(f"{over}: taken off the curves, and saved with the law as a factor")
         factor = tuple(np.exp(slope * c.value).tolist())
         source = Provenance(Kind.MEASURED, note=in_units(f"shear tests: {over}"))
         factors[c.name] = FrictionFactor(at=c.at, factor=factor, source=source)

@@ -37,10 +37,10 @@ SUFFIXES = (".csv", ".parquet")
 _COLUMNS = (
     ("peak_creep", "peak creep", "m"),
     ("peak_tension", "peak tension", "N"),
-    ("least_tension", "least tension", "N"),
-    ("swing", "swing of the last pull", "-"),
+    ("least_tension", "minimum tension", "N"),
+    ("swing", "Te ripple of the last pulley", "-"),
     ("friction_energy", "friction work", "J"),
-    ("pulsates", "pulsates at", "Hz"),
+    ("pulsates", "oscillates at", "Hz"),
     ("level", "worst check", ""),
     ("label", "verdict", ""),
     ("text", "text", ""),
@@ -86,7 +86,7 @@ def run_event_study(
         rows = _begun(study, part, resume=resume)
 
         def kept() -> str:
-            return f"{len(rows)} of {len(study.designs)} designs are kept in {part}"
+            return f"{len(rows)} of {len(study.designs)} designs are saved in {part}"
 
         with interrupted(lambda: f"{kept()}: go on with --resume."):
             try:
@@ -121,8 +121,8 @@ def _begun(study: EventStudy, part: Path, *, resume: bool) -> list[EventRow]:
     rows: list[EventRow] = []
     if part.exists():
         if not resume:
-            message = "an interrupted run has left its rows beside it"
-            remedy = f"Go on with --resume, or remove {part}."
+            message = "an interrupted run has left rows there"
+            remedy = "Go on with --resume, or remove them."
             raise input_error(
                 key="--output", value=shown(str(part)), message=message, remedy=remedy
             )
@@ -148,8 +148,8 @@ def _read(part: Path, key: str) -> list[EventRow]:
     except (OSError, ValueError, TypeError, KeyError):
         mine = False
     if not mine:
-        message = "the rows there are of another study, or the study has changed since"
-        remedy = "Remove the file, or write to another one."
+        message = "holds rows of another study"
+        remedy = "Remove it, or write another file."
         raise input_error(key="--resume", value=shown(str(part)), message=message, remedy=remedy)
     return rows
 

@@ -252,7 +252,7 @@ def _unreachable(address: str, error: Exception) -> InputError:
         key="--scheduler",
         value=shown(address),
         message=f"no Dask scheduler answers there: {reason}",
-        remedy="Start one with `dask scheduler`, workers with `dask worker ADDRESS`.",
+        remedy="Start one: dask scheduler.",
     )
 
 
@@ -271,13 +271,12 @@ def _check_workers(client: Any, address: str, timeout: float) -> None:
     wrong = {worker: told for worker, told in versions.items() if told != __version__}
     if wrong:
         worker, told = next(iter(wrong.items()))
-        has = f"version {told}" if isinstance(told, str) else "none that can be imported"
+        has = told if isinstance(told, str) else "none"
         raise input_error(
             key="--scheduler",
             value=shown(address),
-            message=f"{len(wrong)} of {len(versions)} workers have another wraparc than this "
-            f"({__version__}); {worker} has {has}",
-            remedy="Install the same version on every worker.",
+            message=f"{len(wrong)} of {len(versions)} workers lack wraparc {__version__}",
+            remedy=f"Install it: {worker} has {has}.",
         )
 
 
@@ -290,6 +289,6 @@ def _lost(address: str, error: BaseException) -> InputError:
     return input_error(
         key="--scheduler",
         value=shown(address),
-        message=f"the cluster was lost: {reason}; parts that are done stay",
+        message=f"the cluster was lost: {reason}",
         remedy="Go on with --resume.",
     )

@@ -18,7 +18,7 @@ from wraparc.checks.of_wet import estimate_factor
 from wraparc.checks.rule import At
 from wraparc.drive import DESIGN, Drive, Lagging
 from wraparc.drive.criteria import is_wet
-from wraparc.errors import InputError, nearest
+from wraparc.errors import InputError, name_remedy
 from wraparc.files.drive_file import overridden
 from wraparc.files.drive_keys import DRIVE, TENSIONS
 from wraparc.files.lagging_file import is_path, load_lagging
@@ -114,7 +114,7 @@ def study_from_document(document: Document, *, file: str = "", folder: str = "")
     known = tuple(c for c in conditions if c is not None)
     _shares(known, report)
     if drive.criteria.covered and any(is_wet(c.name) for c in known):
-        message = "the drive is covered = true, and a covered drive never runs wet"
+        message = "contradicts covered = true"
         report.add(("condition",), message, "Leave out covered or the condition.")
     outputs = _outputs(record, OUTPUTS, report)
     sensitivity = _sensitivity(record, report)
@@ -134,6 +134,7 @@ def study_from_document(document: Document, *, file: str = "", folder: str = "")
         outputs=tuple(dict.fromkeys((*outputs, *sensitivity))),
         description={"study": _plain(document), "drive": _plain(base)},
         ground=_ground(drive, pulley, loads, known),
+        data_line=before(drive).data.text,
     )
     return StudyFile(
         study=study,
@@ -219,7 +220,7 @@ def _each_once(axes: Sequence[tuple[Axis, Place]], report: Report) -> None:
         report.add(("axis",), "only one lagging can be drawn from its fit", "Keep one.")
     for axis, place in axes:
         if place in fits and not isinstance(axis, DrawnFit):
-            message = "a lagging cannot be drawn from its fit and be exchanged as well"
+            message = "the lagging is drawn from its fit already"
             report.add(("axis",), message, "Keep one of the two.", axis.field)
 
 
@@ -233,17 +234,14 @@ def _left_out(drive: Drive, loads: Sequence[str]) -> Iterator[str]:
 def _ground(
     drive: Drive, pulley: str, loads: Sequence[str], conditions: Sequence[Condition]
 ) -> str:
-    """Return what limits an OK: some load cases, unknown wet friction, and weak data."""
+    """Return what limits an OK: some load cases, unknown wet friction, tensions no take-up has."""
     of = drive.pulley(pulley)
     spots = (At(drive=drive, case=drive.load_case(name), pulley=of) for name in loads)
     dry = not conditions and any(math.isnan(estimate_factor(at)) for at in spots)
     some = f"load case {', '.join(loads)} only" if [*_left_out(drive, loads)] else ""
-    known = before(drive)
-    against = any(c.name == "take_up" for c in known.checks)
-    take_up = "with tensions that its take-up does not hold" if against else ""
-    weak = [kind for kind, _, _ in known.data.items]
-    data = f"on {weak[0]} data" if weak else ""
-    parts = ("wet not checked" if dry else "", some, take_up, data)
+    against = any(c.name == "take_up" for c in before(drive).checks)
+    take_up = "with tensions that its take-up does not fix" if against else ""
+    parts = ("wet not checked" if dry else "", some, take_up)
     return ", ".join(part for part in parts if part)
 
 
@@ -266,8 +264,7 @@ def _outputs(
     known = output_names()
     for name in names:
         if name not in known:
-            remedy = RENAMED.get(name) or nearest(name, known)
-            remedy = remedy or f"There are {', '.join(known)}."
+            remedy = RENAMED.get(name) or name_remedy(name, known)
             report.add(("outputs",), "no such result", remedy, name)
     return names
 
@@ -302,7 +299,7 @@ def _plan(
         report.add(("sampling",), message, "Write [sampling] with samples and seed.")
     if table is not None and not drawn:
         message = "nothing is drawn at random"
-        report.add(("sampling",), message, "Give an axis a distribution, or take [sampling] out.")
+        report.add(("sampling",), message, "Give an axis a distribution, or remove [sampling].")
     if sensitivity and (levels or not drawn):
         message = "needs every axis to have a distribution"
         report.add(("sensitivity",), message, "Give each axis its plausible range: uniform.")
@@ -368,8 +365,8 @@ def _differs(
             differs |= not _same(one, other, within)
             changes |= not _same(source.rows({}, 1, case), other, within)
     if not changes and len(trials) > 1:
-        message = f"changes nothing on pulley {source.pulley} in these load cases"
-        report.add(place, message, "Take it out, or name another load case or pulley.")
+        message = f"changes nothing on pulley {source.pulley}"
+        report.add(place, message, "Remove it, or name another pulley.")
     return differs
 
 
@@ -414,8 +411,8 @@ def _remarks(axes: Sequence[tuple[Axis, Place]], conditions: Sequence[Condition]
     told = [(a.field, a.distribution) for a, _ in axes if isinstance(a, DrawnField)]
     told += [(d.field, d.distribution) for c in conditions for d in c.drawn()]
     return [
-        f"{label_of(name).capitalize()}: {100.0 * (1.0 - d.kept):.2g} % of the distribution "
-        "lies beyond its limits and is left out."
+        f"{label_of(name).capitalize()}: {100.0 * (1.0 - d.kept):.2g} % of the distribution is "
+        "outside its limits and is left out."
         for name, d in told
         if d.kept < 1.0 - 1e-6
     ]

@@ -57,15 +57,15 @@ def read_axis(
 def _fit(record: Record, name: str, steps: Place, drive: Drive, report: Report) -> DrawnFit | None:
     place = (*record.place, "field")
     if len(steps) != 3 or steps[0] != "pulley" or steps[2] != "lagging":
-        message = "only the lagging of a pulley can be drawn from its fit"
+        message = "must be the lagging of a pulley"
         report.add(place, message, 'Write field = "pulley.NAME.lagging".', name)
         return None
     pulley = report.tried(lambda: drive.pulley(str(steps[1])), place)
     if pulley is None:
         return None
     if pulley.lagging.fit is None:
-        message = f"lagging {pulley.lagging.name} has no statistics of a fit to draw from"
-        report.add(place, message, "Fit it to shear tests with `wraparc fit`.", name)
+        message = f"lagging {pulley.lagging.name} has no fit to draw from"
+        report.add(place, message, "Fit it: wraparc fit.", name)
         return None
     fit = pulley.lagging.fit
     return report.tried(lambda: DrawnFit(field=name, fit=fit), record.place)
@@ -79,7 +79,7 @@ def _levels(record: Record, name: str, kind: Kind, report: Report) -> Levels | N
         return None
     grid = [key for key in ("from", "to", "count") if key in record]
     if ("values" in record) == bool(grid) or (grid and len(grid) < 3):
-        message = "an axis needs values, or from, to and count, or a distribution"
+        message = "needs values, from/to/count or a distribution"
         report.add(record.place, message, "Write for example values = [...].", name)
         return None
     if "values" in record:

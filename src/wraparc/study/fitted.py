@@ -39,8 +39,8 @@ class DrawnFit(Drawn):
             raise input_error(
                 key=self.field,
                 value=shown(self.fit.parameters[:3]),
-                message="only peaks of the knots of an integral-log law can be drawn, all > 0",
-                remedy="Fit the lagging with `wraparc fit`.",
+                message="needs knots of an integral-log law",
+                remedy="Fit the lagging: wraparc fit.",
             )
 
     @property

@@ -48,11 +48,11 @@ NUMBERS = (
     Entry("median", "Of a lognormal distribution.", Raw()),
     Entry(
         "geometric_standard_deviation",
-        "Factor to either side of the median that holds 68 %.",
+        "Factor to either side of the median that contains 68 %.",
         Quantity("number"),
     ),
     Entry("mode", "Most probable value of a triangular distribution.", Raw()),
-    Entry("least", "Where the distribution is cut below.", Raw()),
+    Entry("least", "Where the distribution is cut below.", Raw(), title="Minimum"),
     Entry("most", "Where the distribution is cut above.", Raw()),
 )
 
@@ -115,11 +115,11 @@ STUDY = Table(
     Entry(
         "load_cases",
         "Every design is solved in each: names, or all; if left out the one whose tensions are "
-        "varied, else the running one of the largest pull.",
+        "varied, else the running one of maximum effective tension.",
         WordOr("all", Rows(Name(), 1, 50)),
     ),
     Entry("setting", "How accurately.", Choice(tuple(s.value for s in Setting))),
-    Entry("outputs", "Results that are kept.", Rows(Name(), 1, 60), title="Results"),
+    Entry("outputs", "Results to record.", Rows(Name(), 1, 60), title="Results"),
     Entry("sampling", kind=SAMPLING),
     need(
         "axis",

@@ -182,7 +182,9 @@ class Study:
     description
         The input as plain data, for the fingerprint and for readers of the results.
     ground
-        What data an OK stands on, ``on illustrative data``.
+        What limits an OK: load cases that are left out, unknown wet friction.
+    data_line
+        On what data the results are based, as the verdict on a drive has it.
     """
 
     title: str
@@ -194,6 +196,7 @@ class Study:
     outputs: tuple[str, ...] = OUTPUTS
     description: Mapping[str, Any] = field(default_factory=dict)
     ground: str = ""
+    data_line: str = ""
 
     @property
     def cases(self) -> tuple[tuple[str, Condition | None], ...]:

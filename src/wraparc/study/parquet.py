@@ -120,6 +120,7 @@ def study_data(study: Study) -> dict[str, Any]:
         "outputs": list(study.outputs),
         "limited": list(study.limited),
         "ground": study.ground,
+        "data_line": study.data_line,
         "not_checked": list(NOT_CHECKED),
         "input": study.description,
     }

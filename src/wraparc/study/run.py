@@ -114,7 +114,7 @@ def _merge(study: Study, folder: Path, parts: Sequence[Part], path: str | os.Pat
 
 def _kept(folder: Path, parts: Sequence[Part]) -> str:
     count = sum(_file(folder, part).exists() for part in parts)
-    return f"{count} of {len(parts)} parts are kept in {folder}: go on with --resume."
+    return f"{count} of {len(parts)} parts are saved in {folder}: go on with --resume."
 
 
 def run_problems(study: Study, path: str | os.PathLike[str], how: Run) -> list[Problem]:
@@ -127,9 +127,8 @@ def run_problems(study: Study, path: str | os.PathLike[str], how: Run) -> list[P
             Problem(
                 key="rows",
                 value=f"{rows}",
-                message=f"the study has {len(study.plan):,} designs in {len(study.cases)} cases, "
-                f"more than {MOST_ROWS:,} rows; up to {size:.1f} GB",
-                remedy=f"If that is meant, say so with the number: --confirm {rows}",
+                message=f"more than {MOST_ROWS:,}, up to {size:.1f} GB",
+                remedy=f"Confirm it: --confirm {rows}.",
             )
         )
     folder = parts_folder(path)
@@ -140,9 +139,8 @@ def run_problems(study: Study, path: str | os.PathLike[str], how: Run) -> list[P
                 Problem(
                     key="--output",
                     value=shown(os.fspath(path)),
-                    message=f"{2 * _bytes(study) / 1e9:.1f} GB may be needed for parts and their "
-                    f"merging, and {free / 1e9:.1f} GB are free there",
-                    remedy="Choose another place, or fewer results (outputs).",
+                    message=f"{2 * _bytes(study) / 1e9:.1f} GB needed, {free / 1e9:.1f} GB free",
+                    remedy="Choose another place, or fewer outputs.",
                 )
             )
     if folder.exists() and not how.resume:
@@ -150,8 +148,8 @@ def run_problems(study: Study, path: str | os.PathLike[str], how: Run) -> list[P
             Problem(
                 key="--output",
                 value=shown(os.fspath(path)),
-                message="an interrupted run has left its parts beside it",
-                remedy=f"Go on with --resume, or remove {folder}.",
+                message="an interrupted run has left parts beside it",
+                remedy="Go on with --resume, or remove them.",
             )
         )
     return problems
@@ -205,8 +203,8 @@ def _size_of(study: Study, file: Path) -> int:
         raise input_error(
             key="--resume",
             value=shown(str(file.parent)),
-            message="the parts there are of another study, or the study has changed since",
-            remedy="Remove the folder, or write to another file.",
+            message="holds parts of another study",
+            remedy="Remove it, or write another file.",
         )
     return size
 
@@ -252,6 +250,6 @@ def _stopped(error: OSError, path: str | os.PathLike[str], done: int, total: int
     reason = "the disk is full" if full else f"cannot be written: {error.strerror or error}"
     return input_error(
         value=shown(os.fspath(path)),
-        message=f"{reason}; {done} of {total} parts are done and stay",
-        remedy="Make room and go on with --resume." if full else "Go on with --resume.",
+        message=f"{reason}; {done} of {total} parts are done",
+        remedy="Go on with --resume.",
     )

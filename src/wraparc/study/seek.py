@@ -12,7 +12,7 @@ import numpy as np
 
 from wraparc.arc import ArcResult, Distributed, DriveResult, Method, WrapArc
 from wraparc.drive import Limit
-from wraparc.errors import InputError, input_error, nearest, placed, shown
+from wraparc.errors import InputError, input_error, name_remedy, placed, shown
 from wraparc.glossary import GLOSSARY
 from wraparc.schema.kinds import Quantity
 from wraparc.schema.overrides import parse_path, put_over
@@ -195,17 +195,19 @@ def _kind(field: str, document: Document) -> Quantity:
     of_study = len(steps) == 4 and steps[3] in SCALING
     if isinstance(kind, Quantity) and not of_study:
         return kind
-    message = "is no quantity of a drive file, and only one can be sought"
-    remedy = "Name one by its key path, such as pulley.head.wrap_angle."
+    message = "is no quantity of a drive file"
+    remedy = "Name one, such as pulley.head.wrap_angle."
     raise input_error(key="field", value=shown(field), message=message, remedy=remedy)
 
 
 def _result_dimension(name: str) -> Dimension:
     if name in RESULTS:
         return GLOSSARY[name].dimension
-    message = f"no result of a pulley; there are {', '.join(RESULTS)}"
     raise input_error(
-        key="result", value=shown(name), message=message, remedy=nearest(name, RESULTS)
+        key="result",
+        value=shown(name),
+        message="no result of a pulley",
+        remedy=name_remedy(name, RESULTS),
     )
 
 
@@ -233,8 +235,8 @@ def _range(goal: Goal, now: float, kind: Quantity) -> tuple[float, float]:
     least, most = max(ends[0], limit.least), min(ends[1], limit.most)
     if least < most:
         return least, most
-    message = "has no value here to seek about" if math.isnan(sum(ends)) else "is an empty range"
-    remedy = "Give both ends of the range, the smaller first."
+    message = "has no value to start from" if math.isnan(sum(ends)) else "is an empty range"
+    remedy = "Give both ends, the smaller first."
     raise input_error(key="field", value=shown(goal.field), message=message, remedy=remedy)
 
 

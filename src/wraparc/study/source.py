@@ -192,14 +192,15 @@ class DriveSource:
                 yield "The load of the train divides anew in every row, as its file says."
                 if any(f.place[-1] in ("wear", "speed_trim") for f in self.fields):
                     yield (
-                        "Where the file gives shares, the drums keep the speeds that those ask "
-                        "for; wear and trims then shift the load."
+                        "Where the file gives shares, the pulleys turn at the speeds that "
+                        "those require; wear and trims then shift the load."
                     )
             else:
                 yield (
                     f"The load of the train divides as its file says, and pulley {self.pulley} "
                     + (f"(divided anew for each value of {again}) " if again else "")
-                    + "keeps its pull whatever else varies; `wraparc solve` divides the load anew."
+                    + "has a constant Te whatever else varies; `wraparc solve` divides the load "
+                    "anew."
                 )
             for pulley in drive.pulleys:
                 if pitch_offset(drive.belt, pulley.side) is None:
@@ -209,7 +210,7 @@ class DriveSource:
         held = "the sum of both tensions" if take_up.fixed else "the slack-side tension"
         held = f"the tension behind pulley {take_up.after}" if take_up.after else held
         yield (
-            f"The safety against gross slip is that of a take-up that holds {held}"
+            f"The gross-slip safety is that of a take-up that fixes {held}"
             + (f" ({take_up.kind})." if take_up.kind else "; the file names no take-up.")
         )
 

@@ -174,10 +174,7 @@ def refused(source: _Source, load_cases: Sequence[str], report: Report) -> bool:
         return None in read
     message = "belongs to a train"
     if "train" in source.document:
-        message = (
-            "goes with fields that are numbers of the belt, the pulleys, their laggings, "
-            "tensions or motors of a [train] alone"
-        )
+        message = "does not go with fields outside belt, pulleys and [train]"
     alone = ("pulley", source.pulley, "wear")  # of a single drive
     wrong = [
         field
@@ -185,5 +182,5 @@ def refused(source: _Source, load_cases: Sequence[str], report: Report) -> bool:
         if field.place[-1] in DRUM_KEYS and ("train" in source.document or field.place != alone)
     ]
     for field in wrong:
-        report.add((*place, field.name), message, "Take it or the other fields out.")
+        report.add((*place, field.name), message, "Remove it or the other fields.")
     return bool(wrong)

@@ -30,7 +30,7 @@ TRAIN_STATUSES: Mapping[int, str] = {
     REFUSED: STATUSES[REFUSED],
     BEYOND_MOTOR: TrainStatus.BEYOND_MOTOR.value,
 }
-_WORDS = ("solved", "breakaway", "unsolved", "refused", "beyond a motor")
+_WORDS = ("solved", "breakaway", "unsolved", "refused", "outside a motor curve")
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -42,8 +42,8 @@ class TrainBatchResult:
     rows
         What was solved.
     status
-        0 solved, 1 breakaway, 2 unsolved, 3 refused, 4 beyond a motor, see `TRAIN_STATUSES`; shape
-        (n,).
+        0 solved, 1 breakaway, 2 unsolved, 3 refused, 4 outside a motor curve, see
+        `TRAIN_STATUSES`; shape (n,).
     drums
         Columns of every drum by the name of its pulley.
     belt_speed
@@ -98,7 +98,7 @@ class TrainBatchResult:
             return self.reasons[row]
         gone = [n for n, f in zip(self.rows.names, self.fallen[row], strict=True) if f]
         if status == BREAKAWAY and gone:
-            return f"{' and '.join(gone)} {'breaks' if len(gone) == 1 else 'break'} away."
+            return f"Gross slip on {' and '.join(gone)}."
         return TRAIN_STATUSES[status]
 
     def to_frame(self) -> pd.DataFrame:

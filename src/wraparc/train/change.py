@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from wraparc.arc import Distributed
 from wraparc.drive import Lagging
-from wraparc.errors import input_error
+from wraparc.errors import input_error, name_remedy, shown
 from wraparc.train.result import CaseResult, TrainResult
 from wraparc.train.solve import solve_case
 from wraparc.train.walk import held
@@ -48,8 +48,10 @@ def what_if(
     train, _ = held(result, case)
     names = [p.name for p in train.pulleys]
     if pulley not in names:
-        message = f"no such pulley; the pulleys are {', '.join(names)}"
-        raise input_error(key="pulley", value=pulley, message=message)
+        remedy = name_remedy(pulley, names)
+        raise input_error(
+            key="pulley", value=shown(pulley), message="no such pulley", remedy=remedy
+        )
     index = names.index(pulley)
     old = train.pulleys[index]
     new = lagging or old.lagging

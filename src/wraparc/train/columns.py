@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from wraparc.drive import Belt, Lagging, Limit, Pulley
-from wraparc.errors import InputError, Problem, nearest, shown
+from wraparc.errors import InputError, Problem, name_remedy, shown
 from wraparc.train.motors import Motor, TorqueFollower
 from wraparc.train.train import Motors, Train, TrainCase
 
@@ -73,23 +73,21 @@ def refuse_names(
         Problem(
             key=f"column {shown(name)}",
             message="no such column",
-            remedy=f"{nearest(name, known)} The train has {', '.join(OF_TRAIN)}; each of "
-            f"{', '.join(names)}, with its name and a dot before it, has "
-            f"{', '.join((*OF_DRUM, *own))}.".strip(),
+            remedy=name_remedy(name, known),
         )
         for name in given
         if name not in kinds
     ]
     asked = {key for _, key in kinds.values()}
     if {"entry_tension", "exit_tension", "effective_tension"} <= asked:
-        message = "each follows from the other two of entry_tension, exit_tension and it"
+        message = "follows from entry_tension and exit_tension"
         problems.append(Problem(key='column "effective_tension"', message=message))
     for a, b in (("share", "speed_trim"), ("speed_trim", "motor")):
         if a in asked and (b in asked or (b == "motor" and motors)):
             message = (
                 "decides how the load divides, as the speeds do"
                 if b == "speed_trim"
-                else "the drums turn as their motors do"
+                else "the pulleys turn as their motors do"
             )
             remedy = "Give one of them." if b == "speed_trim" else "Vary a setting of the motor."
             problems.append(Problem(key=f'column "{a}"', message=message, remedy=remedy))

@@ -33,11 +33,11 @@ class MarkKind(StrEnum):
     """What happens at a mark; the value ends a sentence that begins with the drive."""
 
     OPERATING = "is where it is now"
-    EQUAL = "carries an equal share"
-    UNLOADED = "carries nothing: beyond, it brakes"
+    EQUAL = "takes an equal share"
+    UNLOADED = "transmits nothing"
     CREEP_LIMIT = "reaches its creep limit"
     TESTED_SLIP = "slips as far as its lagging was tested"
-    BREAKAWAY = "breaks away"
+    BREAKAWAY = "reaches gross slip"
 
 
 @dataclass(frozen=True)

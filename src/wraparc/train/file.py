@@ -164,7 +164,7 @@ def train_from_document(
     pulleys = [build_pulley(item, laggings, conditions, report) for item in records]
     _refuse_pulley_tensions(record, records, report)
     if "conveyor" in record:
-        message = "gives the tensions of one drive, and those of a train stand in [train]"
+        message = "contradicts the tensions in [train]"
         report.add(("conveyor",), message, "Leave one of them out.")
     criteria = build_criteria(record, belt, report)
     train = record.get("train")

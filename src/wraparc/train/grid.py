@@ -107,14 +107,11 @@ def _check(system: System, train: Train, across: Axis, down: Axis) -> None:
     problems = []
     for pulley, member in zip(train.pulleys, system.members, strict=True):
         if member.holds:
-            message = (
-                f"the friction law of lagging {pulley.lagging.name} holds the belt without slip, "
-                "and maps are made from tables of laws that do not"
-            )
+            message = f"no map for the law of lagging {pulley.lagging.name}, which sticks"
             remedy = "Use curves against one quantity."
             problems.append(Problem(key=f"pulley.{pulley.name}", message=message, remedy=remedy))
     if any(line.follows or line.motor is not None for line in system.lines):
-        message = "maps are made for speeds that are held, not for motors with slip or droop"
+        message = "no map for motors with slip or droop"
         remedy = "Use curves against one quantity."
         problems.append(Problem(key="train.motor", message=message, remedy=remedy))
     if across is down:

@@ -53,7 +53,7 @@ class SpeedList(Kind):
         Either(
             Quantity("number", Limit("number", open=True, most=10.0)),
             Quantity("rotation_speed", Limit("rotation_speed", open=True)),
-            'a trim like "99.7 %" or a drum speed like "71.6 rpm"',
+            'a trim like "99.7 %" or a pulley speed like "71.6 rpm"',
         ),
         1,
         MOST_PULLEYS,
@@ -82,7 +82,7 @@ _SHARE = Either(
 _COMMON = (
     need("rated_power", "Rated shaft power of one motor."),
     need("rated_speed", "Speed of the motor at rated torque."),
-    Entry("gear_ratio", "Motor speed over drum speed; 1 if left out."),
+    Entry("gear_ratio", "Motor speed over pulley speed; 1 if left out."),
     Entry(
         "gear_efficiency",
         "Power out over power in; 1 if left out.",
@@ -90,11 +90,11 @@ _COMMON = (
     ),
     Entry(
         "motor_efficiency",
-        "Shaft power over electrical power; without it motor losses are not told.",
+        "Shaft power over electrical power; without it motor losses are not reported.",
         title="Efficiency of the motor",
     ),
-    Entry("count", "Equal motors on the drum.", Count(1, 8), title="Motors"),
-    Entry("brakes", "Whether the motor can hold back; true if left out."),
+    Entry("count", "Equal motors on the pulley.", Count(1, 8), title="Motors"),
+    Entry("brakes", "Whether the motor can brake; true if left out."),
 )
 _MAINS = (
     need("synchronous_speed", "Speed without slip."),
@@ -108,7 +108,7 @@ _CURVE = Rows(Quantity("number", Limit("number", most=10.0)), 2, 200)
 
 MOTOR = Variant(
     "kind",
-    "What turns the drum.",
+    "What drives the pulley.",
     Table(
         "converter",
         *_COMMON,
@@ -123,7 +123,7 @@ MOTOR = Variant(
         ),
         Entry(
             "torque_limit",
-            "Largest torque over rated torque.",
+            "Maximum torque over rated torque.",
         ),
         of=VariableSpeed,
     ),
@@ -198,8 +198,8 @@ _CASE = (
     ),
     Entry(
         "speeds",
-        "Trim or drum speed of each pulley in belt order, or equal drum speeds: "
-        "shares are computed.",
+        "Trim or pulley speed of each pulley in belt order, or equal pulley speeds: shares are "
+        "computed.",
         SpeedList(),
     ),
 )
@@ -209,7 +209,7 @@ TRAIN = Table(
     *_CASE,
     Entry(
         "diameters",
-        "Diameter of each drum as it is now, worn; those of the pulleys are then nominal.",
+        "Present diameter of each pulley, worn; those of the pulleys are then nominal.",
         Rows(limited(Pulley, "diameter"), 1, MOST_PULLEYS),
         title="Actual diameters",
     ),

@@ -175,7 +175,7 @@ def _chosen(system: System, names: Sequence[str], states: list[Settled]) -> Loca
     if len(fallen) > 0:
         status = TrainStatus.BREAKAWAY
         reason = (
-            f"At these speeds {_listed(names, fallen)} away: the only balance there is has "
+            f"At these speeds gross slip on {_listed(names, fallen)}: the only balance has "
             f"{'it' if len(fallen) == 1 else 'them'} sliding, past the peak of friction."
         )
     return Located(status, reason, state.passages, state.level, state, others, fallen)
@@ -201,21 +201,20 @@ def _broken(
         reason = away(names, fallen)
     elif abs(passages[-1].exit / system.exit - 1.0) > 1e-3:
         fallen = list(range(len(names)))
-        reason = f"The friction of {' and '.join(names)} together cannot carry the load."
+        reason = f"The friction of {' and '.join(names)} together cannot transmit the load."
     else:
         status = TrainStatus.UNSOLVED
     return Located(status, reason, tuple(exact), level, fallen=tuple(fallen))
 
 
 def away(names: Sequence[str], indices: Sequence[int]) -> str:
-    """Say which drives break away."""
-    return f"{_listed(names, indices)} away: no creep makes enough friction."
+    """Return which drives slip."""
+    return f"Gross slip on {_listed(names, indices)}: no creep gives enough friction."
 
 
 def _listed(names: Sequence[str], indices: Sequence[int]) -> str:
-    """Return "a breaks" or "a and b break"."""
-    verb = "breaks" if len(indices) == 1 else "break"
-    return f"{' and '.join(names[i] for i in indices)} {verb}"
+    """Return the names of drives, "a and b"."""
+    return " and ".join(names[i] for i in indices)
 
 
 def _same(a: Settled, b: Settled) -> bool:

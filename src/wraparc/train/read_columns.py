@@ -163,7 +163,7 @@ class _Reader:
     def read(self, start: tuple[float, ...]) -> Read:
         drums = {key: self._of_drums(key) for key in OF_DRUM if key not in ("share", "speed_trim")}
         wear, thickness = drums.pop("wear"), drums["lagging_thickness"]
-        self._say("wear", wear > thickness, "must be at most what the lagging is thick", wear)
+        self._say("wear", wear > thickness, "must be at most the lagging thickness", wear)
         drums["lagging_thickness"] = np.maximum(thickness - wear, 0.0)
         drums["diameter"] = drums["diameter"] - 2.0 * wear
         for i, pulley in enumerate(self.train.pulleys):

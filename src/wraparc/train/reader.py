@@ -15,7 +15,7 @@ from wraparc.drive.tension_rules import (
     ends_of,
     families,
 )
-from wraparc.errors import InputError, nearest, shown
+from wraparc.errors import InputError, name_remedy
 from wraparc.files.conditions import condition_name
 from wraparc.files.tensions import ENTRY, EXIT, NO_RUNS, Given, complete, resolve
 from wraparc.schema.problems import NOTHING, Report
@@ -26,9 +26,7 @@ from wraparc.train.train import Division, Motors, Shares, Speeds, TrainCase
 from wraparc.units import display
 
 _MODES = ("share", "speeds", "motor")
-_DIVIDE = (
-    'Write share = ["50 %", "50 %"], speeds = "equal", or a [train.motor.NAME] for each pulley.'
-)
+_DIVIDE = 'Write share = ["50 %", "50 %"], speeds = "equal" or [train.motor.NAME].'
 #: How far powers may miss the total pull that the tensions make.
 _POWER_SUM = 5e-3
 
@@ -104,8 +102,7 @@ class Reader:
         total = tensions.effective + sum(runs)
         if pull and abs(total - pull) > _POWER_SUM * abs(pull):
             message = (
-                f"the powers make a pull of {display(pull, 'force')} at the belt speed, and the "
-                f"tensions one of {display(total, 'force')}"
+                f"the powers make {display(pull, 'force')}, the tensions {display(total, 'force')}"
             )
             self._report.add((*place, "share"), message, "Leave one of them out.")
             return None
@@ -146,12 +143,8 @@ class Reader:
             return given
         own, base = self._runs(train, None), self._division(train, None)
         if not isinstance(division, Shares) or not isinstance(base, Shares):
-            message = (
-                "gives its pull alone, and how much of it the drives behind the take-up take "
-                "follows from their speeds or motors"
-            )
-            remedy = f"Give exit_tension too, so that the belt behind {after} keeps its tension."
-            self._report.add(over.place, message, remedy)
+            message = "Te alone does not fix the tensions behind the take-up"
+            self._report.add(over.place, message, "Give exit_tension too.")
             return given
         first = self._given(train, None).less_runs(sum(own), self.belt.speed)
         k = names.index(after) + 1
@@ -177,13 +170,9 @@ class Reader:
         names = [p.name for p in self.pulleys]
         for name, place in places.items():
             if name not in names[1:]:
-                there = ", ".join(map(shown, names[1:]))
-                message = (
-                    "the first pulley has no run before it"
-                    if name in names
-                    else f"no such pulley; runs lead to {there}"
-                )
-                remedy = nearest(name, names[1:])
+                first = name in names
+                message = "the first pulley has no run before it" if first else "no such pulley"
+                remedy = name_remedy(name, names[1:])
                 self._report.add((*place, "run", name), message, remedy)
         return tuple(table.get(name, 0.0) for name in names[1:])
 
@@ -246,8 +235,8 @@ class Reader:
     def _motors(self, tables: dict[str, Record], train: Record) -> Division | None:
         names = [p.name for p in self.pulleys]
         for name in (name for name in tables if name not in names):
-            message = f"no such pulley; the pulleys are {', '.join(map(shown, names))}"
-            self._report.add((*train.place, "motor", name), message, nearest(name, names))
+            place = (*train.place, "motor", name)
+            self._report.add(place, "no such pulley", name_remedy(name, names))
         missing = [name for name in names if name not in tables]
         for name in missing:
             remedy = f'Write [train.motor.{name}] with kind = "{next(iter(MOTOR.tables))}".'

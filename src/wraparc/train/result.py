@@ -18,13 +18,13 @@ from wraparc.views import Viewable
 class TrainStatus(StrEnum):
     """How the solve of a load case ended; `CaseResult.reason` says more."""
 
-    SOLVED = "The drives carry the load."
+    SOLVED = "The drives transmit the load."
     BREAKAWAY = (
-        "Breakaway: a drive cannot hold its part of the load. Raise the slack-side tension "
-        f"(take-up), bring the speeds closer together, or {MORE_FRICTION}"
+        "Gross slip: a drive cannot transmit its share of the load. Raise the slack-side "
+        f"tension (take-up), bring the speeds closer together, or {MORE_FRICTION}"
     )
     BEYOND_MOTOR = (
-        "No operating point: a motor would have to work beyond its curve. Change its set speed or "
+        "No operating point: a motor would have to work outside its curve. Change its set speed or "
         "gear, or choose another motor."
     )
     UNSOLVED = (

@@ -28,7 +28,7 @@ from wraparc.drive import (
 )
 from wraparc.drive.drive import covered_problems, flying_problems, named, side_problems
 from wraparc.drive.load_case import heaviest
-from wraparc.errors import Problem, shown
+from wraparc.errors import Problem, name_remedy, shown
 from wraparc.schema.limits import limit_problems, name_problems, raise_all
 from wraparc.train.motors import Motor, TorqueFollower
 from wraparc.units import display
@@ -359,7 +359,7 @@ def _share_problems(
     total = math.fsum(fractions)
     if not problems and not abs(total - 1.0) <= _SHARE_SUM:
         given = ", ".join(f"{f:g}" for f in fractions)
-        message = f"the shares must sum to 1 and sum to {total:.6g}"
+        message = f"must sum to 1, not to {total:.6g}"
         remedy = "Give fractions like 0.5 or 50 %."
         problems.append(Problem(key=key, value=f"[{given}]", message=message, remedy=remedy))
     pulls = [f * case.effective_tension for f in fractions]
@@ -372,8 +372,8 @@ def _pull_problems(key: str, pulls: Sequence[float], case: TrainCase, count: int
     size = max(case.entry_tension, case.exit_tension)
     if not problems and not abs(total - asked) <= _SHARE_SUM * size:
         message = (
-            f"the pulleys together pull {display(total, 'force', digits=6)}, and the tensions at "
-            f"both ends ask for {display(asked, 'force', digits=6)}"
+            f"the pulleys make {display(total, 'force', digits=6)}, the tensions "
+            f"{display(asked, 'force', digits=6)}"
         )
         problems.append(Problem(key=key, message=message))
     return problems or _slack_problems(key, pulls, case)
@@ -383,8 +383,8 @@ def _slack_problems(key: str, pulls: Sequence[float], case: TrainCase) -> list[P
     low = min(min(pair) for pair in tensions_at(case, pulls))
     if low > 0.0:
         return []
-    message = f"leaves a tension of {display(low, 'force')} in the belt, and a belt cannot push"
-    remedy = "Give other shares, or more tension on the slack side."
+    message = f"leaves a belt tension of {display(low, 'force')}"
+    remedy = "Give other shares, or raise T2."
     return [Problem(key=key, message=message, remedy=remedy)]
 
 
@@ -401,12 +401,13 @@ def _motor_problems(
         leads = by_name.get(motor.master)
         where = f"{key}.{name}.master"
         if leads is None:
-            message = f"no such pulley; the pulleys are {', '.join(map(shown, names))}"
-            problems.append(Problem(key=where, value=shown(motor.master), message=message))
+            remedy = name_remedy(motor.master, names)
+            value, message = shown(motor.master), "no such pulley"
+            problems.append(Problem(key=where, value=value, message=message, remedy=remedy))
         elif isinstance(leads, TorqueFollower):
-            message = "the drive that is followed must not follow another one itself"
+            message = "must not follow another drive itself"
             problems.append(Problem(key=where, value=shown(motor.master), message=message))
     if Counter(map(type, motors))[TorqueFollower] == len(motors):
-        message = "every drive follows another one: one must hold the speed"
+        message = "every drive follows another one"
         problems.append(Problem(key=key, message=message))
     return problems

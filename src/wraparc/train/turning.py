@@ -127,8 +127,8 @@ def surface_sentence(diameter: float) -> str:
     shift = 100.0 * USUAL_OFFSET / (0.5 * diameter)
     belt, drum = (quantity(d, "length") for d in (2.0 * USUAL_OFFSET, diameter))
     return (
-        f"Drum speeds are those at the lagging surface: {belt} of belt on a drum of {drum} would "
-        f"lower them by {shift:.2f} %."
+        f"Pulley speeds are those at the lagging surface: {belt} of belt on a pulley of {drum} "
+        f"would lower them by {shift:.2f} %."
     )
 
 
@@ -215,18 +215,18 @@ def beyond_motor(name: str, rotation: float, motor: Motor, point: MotorPoint) ->
     if point.motor_load < low - rounding:
         end = low / (motor.gear_efficiency if low >= 0.0 else 1.0 / motor.gear_efficiency)
         turns, top = _apart(rotation, motor.drum_speed(end * motor.drum_torque))
-        means = "it cannot hold back" if low == 0.0 else f"it holds back {-low:.3g} rated torques"
+        means = "it cannot brake" if low == 0.0 else f"it brakes with {-low:.3g} rated torques"
         if turns == top:
-            return f"The belt drives the drum of {name} at {turns}, where its motor ends: {means}."
+            return f"The belt drives pulley {name} at {turns}, where its motor ends: {means}."
         return (
-            f"The belt drives the drum of {name} at {turns}, faster than its motor allows: "
+            f"The belt drives pulley {name} at {turns}, faster than its motor allows: "
             f"{top} at most, where {means}."
         )
     if point.motor_load > high + rounding:
         turns = display(rotation, "rotation_speed", "si", GIVEN_DIGITS)
         return (
             f"The motor of {name} needs {point.motor_load:.3g} times its rated torque, its curve "
-            f"ends at {high:.3g}; its drum turns at {turns}."
+            f"ends at {high:.3g}; its pulley turns at {turns}."
         )
     return ""
 

@@ -13,9 +13,13 @@ from typing import Literal, Self, get_args
 from wraparc.units.digits import (
     NOTHING,
     RESULT_DIGITS,
+    as_typed,
+    decimals,
     every_digit,
     every_limit_digit,
+    grouped,
     rounded_limit,
+    with_error,
 )
 from wraparc.units.display import System, display, display_unit, joined, parts, unit_row
 from wraparc.units.parse import unit_factor
@@ -23,15 +27,19 @@ from wraparc.units.table import DIMENSIONS, Dimension
 
 #: What stands where there is no number.
 NONE = "-"
-_UNBOUNDED = "without bound"
+_UNBOUNDED = "infinite"
 #: How a cell is shown: with its unit; without, as under a head that has it; the unit alone; as a
 #: share [%]; rounded to the safe side, upwards or down; as a speed of slip; in as many digits as
 #: tell it from another number; a limit, a maximum rounded down and a minimum up, and a value that
-#: misses it, both in as many digits as tell them apart; and from another number to it,
-#: ``0 to 22.5 deg`` or ``0-22.5 deg``, that rounded up or down, or as a maximum, ``150 of 210 kN``.
+#: misses it, both in as many digits as tell them apart; from another number to it,
+#: ``0 to 22.5 deg`` or ``0-22.5 deg``, that rounded up or down, or as a maximum, ``150 of 210 kN``;
+#: under a head with its unit, half its interval behind it, ``1.29 ± 0.01``; with so many digits
+#: behind the point, plain or as a share, its sign always told or not; a count or money in
+#: thousands, ``12,843``; a given number with all digits that it was typed with.
 Form = Literal[
     "", "bare", "unit", "percent", "up", "bare up", "down", "slip", "apart", "slip apart",
     "maximum", "minimum", "exceeds", "below", "to", "-", "to up", "to down", "of",
+    "bare error", "fixed", "signed", "percent fixed", "percent signed", "grouped", "typed",
 ]  # fmt: skip
 #: Forms of two numbers, which a range begins and ends with.
 RANGES: tuple[Form, ...] = ("to", "-", "to up", "to down", "of")
@@ -55,11 +63,12 @@ class Cell(str):
     dimension
         What it measures.
     digits
-        Significant digits.
+        Significant digits; digits behind the point where the form has these.
     form
         How it is shown, see `Form`.
     other
-        Number [SI] that it is told from, or that a range begins at; nan without one.
+        Number [SI] that it is told from, that a range begins at, or half its interval; nan without
+        one.
     name
         Name in the glossary, or empty.
     """
@@ -106,21 +115,41 @@ def cell_text(
     row = unit_row(dimension, system)
     if form == "unit":
         return row.unit
-    if form == "percent":
-        return display(100.0 * value, "number", system, digits) + " %"
-    if form == "bare up":
-        return rounded_limit(value / row.factor, digits, True)
-    if form == "bare":
-        return display(value / row.factor, "number", system, digits)
+    if form in ("percent", "percent fixed", "percent signed"):
+        return _share(value, digits, form) + " %"
+    if form in ("bare", "bare up", "bare error", "fixed", "signed", "grouped"):
+        return _bare(value / row.factor, digits, form, other / row.factor)
     if form in ("apart", "slip apart"):
         return _apart(value, dimension, digits, other, system, form == "slip apart")
     if form in ("exceeds", "below", "maximum", "minimum"):
         return _missed(value, dimension, digits, form, other, system)
     if form in ("to", "-", "to up", "to down", "of"):
         return _range(value, dimension, digits, form, other, system)
+    if form == "typed":
+        return joined(_typed(value, dimension, system, digits))
     if form in ("up", "down"):
         return joined(_limit(value, dimension, system, digits, form == "up"))
     return joined(_told(value, dimension, system, digits, form == "slip"))
+
+
+def _share(value: float, digits: int, form: Form) -> str:
+    """Return a share in hundredths."""
+    if form == "percent":
+        return display(100.0 * value, "number", "si", digits)
+    return decimals(100.0 * value, digits, form == "percent signed")
+
+
+def _bare(number: float, digits: int, form: Form, other: float) -> str:
+    """Return a number without a unit."""
+    if form == "bare error":
+        return with_error(number, other)
+    if form == "bare up":
+        return rounded_limit(number, digits, True)
+    if form in ("fixed", "signed"):
+        return decimals(number, digits, form == "signed")
+    if form == "grouped" and math.isfinite(number):
+        return grouped(decimals(number, 0, False))
+    return display(number, "number", "si", digits)
 
 
 def _told(
@@ -133,6 +162,12 @@ def _told(
         unit, size = _slow_unit(system)
         return display(number / size, "number", system, digits), unit
     return parts(number, dimension, system, digits)
+
+
+def _typed(number: float, dimension: Dimension, system: System, digits: int) -> tuple[str, str]:
+    """Return a given number as typed, and its unit; rounded where its unit is another."""
+    text, unit = _told(number, dimension, system, digits, False)
+    return as_typed(_in_unit(number, dimension, system, unit), text), unit
 
 
 def _slow_unit(system: System) -> tuple[str, float]:
@@ -197,6 +232,8 @@ def _range(
 ) -> str:
     """Return two numbers, with one unit where both have the same."""
     first = _told(other, dimension, system, digits, False)
+    if form in ("to up", "to down"):  # from what was given
+        first = _typed(other, dimension, system, digits)
     if form in ("to", "-"):
         last = _told(value, dimension, system, digits, False)
         if joined(first) == joined(last):
@@ -261,6 +298,37 @@ def unit_of(dimension: Dimension) -> str:
 def percent(share: float, digits: int = RESULT_DIGITS) -> str:
     """Return a share as percent, `NONE` for nan."""
     return NONE if math.isnan(share) else Cell(share, "number", digits, "percent")
+
+
+def fixed(
+    value: float, digits: int, form: Form = "fixed", dimension: Dimension = "number", name: str = ""
+) -> str:
+    """Return a value with so many digits behind the point, `NONE` for nan.
+
+    `form` is ``fixed``, ``signed``, ``percent fixed`` or ``percent signed``.
+    """
+    if not math.isfinite(value):
+        return quantity(value, dimension)
+    return Cell(value, dimension, digits, form, name=name)
+
+
+def count(number: float) -> str:
+    """Return a count or an amount of money, grouped by thousands."""
+    return (
+        quantity(number, "number")
+        if not math.isfinite(number)
+        else Cell(number, "number", form="grouped")
+    )
+
+
+def plus_minus(value: float, error: float, dimension: Dimension = "number", name: str = "") -> str:
+    """Return a value under the head with its unit, with half its interval.
+
+    The value alone where there is no interval (an error of 0, or not finite).
+    """
+    if not (math.isfinite(value) and math.isfinite(error) and error > 0.0):
+        return bare(value, dimension, name=name)
+    return Cell(value, dimension, RESULT_DIGITS, "bare error", error, name)
 
 
 def either(si: str, us: str) -> str:

@@ -21,7 +21,7 @@ _CONTINUES = re.compile(r"[0-9.,'’_´`+\-−:;]|/\s*[0-9]")
 _NOT_FINITE = re.compile(r"[+-]?\s*(?:nan|inf|infinity|∞)\b", re.IGNORECASE)
 _NUMERIC_HEAD = re.compile(r"[0-9.,'’_´`\s+\-−/:;]*(?:(?<=[0-9])[eE][+-]?[0-9]+)?")
 _GAPS = re.compile(r"(?<=[0-9])[\s'’_´`]+(?=[0-9])")
-_PLAIN = "Type digits and a decimal point, such as 1234.5."
+_PLAIN = "Write digits and a decimal point: 1234.5."
 
 
 def split_number(text: str) -> tuple[Decimal, str]:
@@ -98,10 +98,10 @@ def _malformed(text: str, stripped: str) -> InputError:
     if any(c.isdecimal() and not c.isascii() for c in stripped):
         return _refused(text, "digits other than 0-9", _PLAIN)
     if "," in digits:
-        message = "a comma can mean a decimal point or a thousands separator"
+        message = "a comma can mean decimal point or thousands separator"
         return _refused(text, message, _write(_comma_readings(digits), rest))
     if _GAPS.search(digits) and "/" not in digits:
-        message = "digits in groups can be read as one number or as several"
+        message = "digits in groups can be one number or several"
         return _refused(text, message, _write([_GAPS.sub("", digits)], rest))
     if "/" in digits:
         return _refused(text, "a fraction, where a decimal number is needed", _PLAIN)

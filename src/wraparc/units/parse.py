@@ -19,6 +19,8 @@ _PRODUCT = rf"{_FACTOR}(?:(?:\s*[*.]\s*|\s+|-(?=[A-Za-z])){_FACTOR})*"
 _UNIT = re.compile(
     rf"(?P<over>1|{_PRODUCT})?\s*(?:/\s*(?:(?P<one>{_FACTOR})|\(\s*(?P<under>{_PRODUCT})\s*\)))?"
 )
+#: Names alike that are looked through for those of the dimension.
+_MOST_NEAR = 8
 _NAME_AND_POWER = re.compile(r'([A-Za-z°%"]+)(?:\^?(-?[1-9]))?')
 _LOOKALIKES = str.maketrans(
     {
@@ -47,9 +49,11 @@ class Unit(NamedTuple):
 
 
 class _UnitTextError(Exception):
-    def __init__(self, message: str, remedy: str) -> None:
+    def __init__(
+        self, message: str, remedy: str = "", name: str = "", meant: tuple[str, ...] = ()
+    ) -> None:
         super().__init__(message)
-        self.remedy = remedy
+        self.remedy, self.name, self.meant = remedy, name, meant
 
 
 def parse_quantity(value: object, dimension: Dimension) -> float:
@@ -195,7 +199,7 @@ def _checked_unit(text: str, dimension: Dimension, given: object) -> Unit:
     try:
         unit = _resolve(text)
     except _UnitTextError as error:
-        raise _refused(given, str(error), error.remedy) from None
+        raise _refused(given, str(error), error.remedy or _meant(text, error, dimension)) from None
     if unit.powers != _powers(dimension):
         measured = dimension_of(text)
         found = DIMENSION_TEXT[measured].name if measured else "of no dimension used here"
@@ -235,11 +239,7 @@ def _evaluate(text: str, known: dict[str, Unit]) -> Unit:
         return known[plain]
     match = _UNIT.fullmatch(plain) if len(plain) <= 40 else None
     if match is None:
-        raise _UnitTextError(
-            f"the unit {shown(text)} cannot be read",
-            "Write a product of units with at most one '/', a product below it in brackets: "
-            '"kN/m", "N m", "mm3/(N m)".',
-        )
+        raise _UnitTextError(f"the unit {shown(text)} cannot be read")
     over, under = match["over"] or "", match["one"] or match["under"] or ""
     factors = [(name, int(power or 1)) for name, power in _NAME_AND_POWER.findall(over)]
     factors += [(name, -int(power or 1)) for name, power in _NAME_AND_POWER.findall(under)]
@@ -261,11 +261,17 @@ def _named(name: str, known: dict[str, Unit]) -> Unit:
     if unit is not None:
         return unit
     same_but_case = [other for other in known if other.casefold() == name.casefold()]
-    meant = same_but_case or near(name, known, 2)
-    remedy = "The units are listed in the documentation; case matters."
-    if meant:
-        remedy = "Did you mean " + " or ".join(meant) + "?"
-    raise _UnitTextError(f"unknown unit {shown(name)}", remedy)
+    meant = tuple(same_but_case or near(name, known, _MOST_NEAR))
+    raise _UnitTextError(f"unknown unit {shown(name)}", "", name, meant)
+
+
+def _meant(text: str, error: _UnitTextError, dimension: Dimension) -> str:
+    """Return the units that may be meant, else an example; neither of another dimension."""
+    powers, compound = _powers(dimension), text.strip() != error.name
+    fits = [name for name in error.meant if compound or _units()[name].powers == powers]
+    if fits:
+        return f"Did you mean {' or '.join(fits[:2])}?"
+    return f"Write for example {shown(DIMENSION_TEXT[dimension].example)}."
 
 
 def _no_unit(value: object, dimension: Dimension) -> InputError:

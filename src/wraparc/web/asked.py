@@ -40,7 +40,7 @@ Line = Annotated[str, Field(max_length=200), AfterValidator(_printable)]
 Name = Annotated[str, Field(min_length=1, max_length=200), AfterValidator(_printable)]
 Lines = Annotated[str, Field(max_length=5000), AfterValidator(_printable)]
 Head = Annotated[str, Field(max_length=120)]
-_CASE = "The running one of the largest pull if left out."
+_CASE = "The running one of maximum effective tension if left out."
 Short = Annotated[str, Field(max_length=60)]
 
 
@@ -61,7 +61,7 @@ class FastRequest(Request):
     prepared: bool = Field(
         False, description="Whether to send the arc as numbers, of which the page goes on itself."
     )
-    sequence: int = Field(0, ge=0, le=2**53, description="Comes back as it is.")
+    sequence: int = Field(0, ge=0, le=2**53, description="Returned unchanged.")
 
 
 class SolveRequest(Request):
@@ -84,7 +84,7 @@ class ActionRequest(Request):
 
     document: Document
     load_case: Line | None = Field(None, description="Only this one.")
-    sequence: int = Field(0, ge=0, le=2**53, description="Comes back as it is.")
+    sequence: int = Field(0, ge=0, le=2**53, description="Returned unchanged.")
 
 
 class CheckRequest(Request):
@@ -149,7 +149,7 @@ class SeekRequest(Request):
     value: Short = Field(description="What it is to be, with its unit.")
     pulley: Line = ""
     load_case: Line = ""
-    least: Short = Field("", description="Least input; a third of the present one if left out.")
+    least: Short = Field("", description="Minimum input; a third of the present one if left out.")
     most: Short = Field("", description="Most; three times the present one if left out.")
     now: Short = Field("", description="The present input where a preset gives it.")
 
@@ -183,7 +183,7 @@ class ChooseRequest(Request):
     diameters: list[Short] = Field([], max_length=50)
     wrap_angles: list[Short] = Field([], max_length=50)
     slack_tensions: list[Short] = Field([], max_length=200)
-    least_slack: bool = Field(False, description="Each design with the least T2 that does.")
+    least_slack: bool = Field(False, description="Each design with its minimum T2.")
     currency: Line = "AUD"
     years: float = Field(10.0, gt=0.0, le=100.0)
     tariff: float | None = Field(None, ge=0.0, le=1e6)
@@ -254,7 +254,7 @@ class AcrossWearRequest(AcrossRequest):
         None,
         gt=0.0,
         le=1e7,
-        description="Run since the lagging was new, to tell how fast it wears.",
+        description="Run since the lagging was new, for its wear rate.",
     )
 
 

@@ -14,10 +14,7 @@ from wraparc.web.answers.shown import Answer
 
 PROBLEM_JSON = "application/problem+json"
 _MOST = 60
-_BODY = (
-    'Send {"document": {...}} with the tables of a drive file, or the file itself with '
-    "-H 'Content-Type: application/toml'; /docs lists what can be asked."
-)
+_BODY = 'Send {"document": {...}}, or a drive file as application/toml (see /docs).'
 
 
 class ToldProblem(Answer):

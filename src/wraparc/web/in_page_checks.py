@@ -184,8 +184,8 @@ def remarks_of(drive: Drive, verdict: Verdict) -> list[str]:
 
 
 _NO_INTERVAL = (
-    "The interval of the creep that the fit of {} leaves is not found in this page; wraparc solve "
-    "tells it."
+    "The interval of the creep that the fit of {} leaves is not calculated in this page, but "
+    "by wraparc solve."
 )
 
 

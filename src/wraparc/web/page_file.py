@@ -41,7 +41,7 @@ _SECTIONS = ["drive", "belt", "pulley", "tensions", "lagging", "load_case", "tra
 _OTHER_LAW = ("law", "condition_factor", "slip_speed", "temperature")
 _PLACE = re.compile(r"\{\{(\w+)\}\}")
 _UNIT = re.compile(r"\s*[-+]?[\d.]+(?:[eE][-+]?\d+)?\s*(\S.*?)\s*")
-_SOLVES = "wraparc solve and wraparc serve solve it."
+_SOLVES = "Use wraparc solve or wraparc serve."
 
 
 def page_file(document: Document, name: str, text: str) -> str:
@@ -187,7 +187,7 @@ def _problems(document: Document, drive: Drive | Train) -> Iterator[Problem]:
         return Problem(key=key, message=f"{what} a page without a server", remedy=remedy)
 
     if isinstance(drive, Drive) and len(drive.pulleys) > 1:
-        what = "pulleys that each give their tensions, without a [train] table, are not solved in"
+        what = "several pulleys without a [train] table are not solved in"
         yield beyond("pulley", what)
     for pulley, table in zip(drive.pulleys, document["pulley"], strict=True):
         yield from _pulley_problems(f"pulley.{pulley.name}", pulley, table, beyond)
@@ -197,13 +197,13 @@ def _pulley_problems(
     place: str, pulley: Pulley, table: Document, beyond: Callable[..., Problem]
 ) -> Iterator[Problem]:
     if pulley.across is not None:
-        remedy = "On the command line: wraparc solve FILE; on a page: wraparc serve."
-        yield beyond(f"{place}.across", "the load across the width is not solved in", remedy)
+        remedy = "Use wraparc solve or wraparc serve."
+        yield beyond(f"{place}.across", "is not solved in", remedy)
     lagging = table["lagging"]
     for key in lagging if isinstance(lagging, dict) else ():
         if key in _OTHER_LAW:
             remedy = "Put the lagging into a [lagging.NAME] table of the drive file."
-            yield beyond(f"{place}.lagging.{key}", "a lagging is read so by none but", remedy)
+            yield beyond(f"{place}.lagging.{key}", "is not read in", remedy)
 
 
 def not_judged(document: Document) -> str:
@@ -214,7 +214,7 @@ def not_judged(document: Document) -> str:
     except InputError:  # not solved: the page says so itself
         return ""
     reasons = [
-        f"pulley {name} has no pull to carry in load case {case.name}"
+        f"pulley {name} transmits no Te in load case {case.name}"
         for case in one.load_cases
         for name, pair in case.tensions.items()
         if idles(pair.entry, pair.exit)

@@ -155,9 +155,9 @@ def _token_page(scope: Scope) -> bytes:
     page = (
         '<!doctype html><html lang="en"><head><meta charset="utf-8">'
         '<meta name="viewport" content="width=device-width, initial-scale=1">'
-        "<title>wraparc: token</title></head><body><main><h1>This calculator asks for its token"
-        "</h1><p>Open the address that <code>wraparc serve</code> has printed, or write what "
-        'stands in it behind <code>token=</code>:</p><form method="get"><p>'
+        "<title>wraparc: token</title></head><body><main><h1>This calculator requires its token"
+        "</h1><p>Open the address that <code>wraparc serve</code> has printed, or copy what "
+        'follows <code>token=</code> in it:</p><form method="get"><p>'
         f'<label>Token <input name="token" type="password" required></label>{kept} '
         "<button>Open</button></p></form></main></body></html>"
     )

@@ -9,7 +9,7 @@ from wraparc.answer.choose_sheet import choose_sheet
 from wraparc.choose.file import search_from_document
 from wraparc.choose.search import Search
 from wraparc.choose.selection import choose
-from wraparc.errors import InputError, Problem, shown
+from wraparc.errors import InputError, Problem, name_remedy, shown
 from wraparc.schema.emit import document_text
 from wraparc.web.answers.documents import read, without_none
 from wraparc.web.answers.shown import Sheet, sheet
@@ -55,7 +55,7 @@ def _check(asked: ChooseRequest) -> None:
             key=f"candidates.laggings[{i}]",
             value=shown(name),
             message="the catalogue has no lagging of this name",
-            remedy=f"Choose among {', '.join(known)}.",
+            remedy=name_remedy(name, known),
         )
         for i, name in enumerate(asked.laggings, start=1)
         if name not in known
@@ -67,8 +67,8 @@ def _check(asked: ChooseRequest) -> None:
         problems.append(
             Problem(
                 key="candidates",
-                message=f"{count:,} designs are more than the {MOST:,} of a page",
-                remedy="Leave some out, or run `wraparc choose` with a choose file.",
+                message=f"{count:,} designs, at most {MOST:,} on a page",
+                remedy="Leave some out, or run wraparc choose FILE.",
             )
         )
     if problems:

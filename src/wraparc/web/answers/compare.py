@@ -5,6 +5,7 @@ from collections.abc import Iterable
 from typing import Literal
 
 from wraparc import catalogue
+from wraparc.answer.key_figures import figure_of, key_figures
 from wraparc.answer.sheet import NONE, named, percent
 from wraparc.answer.wear_table import life_data
 from wraparc.arc import ArcResult, Status
@@ -27,19 +28,14 @@ from wraparc.web.errors import ToldProblem, told
 
 #: Belts of each carcass that are compared.
 NEIGHBOURS = 4
-#: Columns: key, title, which is better.
-_COLUMNS = (
-    ("creep", GLOSSARY["exit_creep"].title, "low"),
-    ("of_limit", "Share of the creep limit", "low"),
-    ("peak_shear_stress", GLOSSARY["peak_shear_stress"].title, "low"),
-    ("peak_shear_angle", GLOSSARY["peak_shear_angle"].title, "low"),
-    ("margin", GLOSSARY["creep_limit_margin"].title, "high"),
-    ("least_slack", "Least slack-side tension, all checks", "low"),
-    ("power_loss", GLOSSARY["power_loss"].title, "low"),
-    ("outside", "Share outside tested range", "low"),
-    ("cost_lagging", "Lagging over the years", "low"),
-    ("cost_energy", "Energy lost over the years", "low"),
-    ("cost_total", "Cost over the years", "low"),
+#: Further columns: key, title, and the key figure that they stand behind.
+_FURTHER = (
+    ("of_limit", "Share of the creep limit", "exit_creep"),
+    ("least_slack", "Minimum T2, all checks", "creep_limit_margin"),
+    ("outside", "Share outside tested range", ""),
+    ("cost_lagging", "Lagging over the years", ""),
+    ("cost_energy", "Energy lost over the years", ""),
+    ("cost_total", "Cost over the years", ""),
 )
 
 
@@ -151,10 +147,18 @@ def compare(asked: CompareRequest) -> CompareAnswer:
 
 def columns() -> list[Column]:
     """Return what is compared."""
+    found = []
+    for figure in key_figures("compare"):
+        found.append((figure.name, GLOSSARY[figure.name].title, figure.better))
+        found += _behind(figure.name)
     return [
         Column(key=key, title=title, better=better, meaning=_meaning(key))
-        for key, title, better in _COLUMNS
+        for key, title, better in (*found, *_behind(""))
     ]
+
+
+def _behind(name: str) -> list[tuple[str, str, str]]:
+    return [(key, title, "low") for key, title, figure in _FURTHER if figure == name]
 
 
 def _candidates(asked: CompareRequest, drive: Drive, pulley: str) -> Iterable[_Candidate]:
@@ -267,15 +271,10 @@ def _short(whole: Whole, result: ArcResult) -> str:
 
 def _cells(whole: Whole, result: ArcResult) -> dict[str, Compared]:
     least = least_tension(whole)
-    numbers = {
-        "creep": ("exit_creep", abs(result.exit_creep)),
-        "peak_shear_stress": ("peak_shear_stress", result.peak_shear_stress),
-        "peak_shear_angle": ("peak_shear_angle", result.peak_shear_angle),
-        "margin": ("creep_limit_margin", result.capacities.creep_limit_margin),
-        "least_slack": ("least_exit_tension", least.tension if least else math.nan),
-        "power_loss": ("power_loss", result.energy.power_loss),
-    }
-    cells = {key: _cell(name, value) for key, (name, value) in numbers.items()}
+    names = [figure.name for figure in key_figures("compare")]
+    values = {name: figure_of(result, name) for name in names}
+    cells = {name: _cell(name, abs(v) if name == "exit_creep" else v) for name, v in values.items()}
+    cells["least_slack"] = _cell("least_exit_tension", least.tension if least else math.nan)
     shares = {"of_limit": result.share_of_limit, "outside": result.outside_tested_share}
     return cells | {key: _share(value) for key, value in shares.items()}
 
@@ -349,10 +348,9 @@ def _cost_cell(value: float) -> Compared:
 
 
 def _meaning(key: str) -> str:
-    names = {"creep": "exit_creep", "margin": "creep_limit_margin", "of_limit": "creep_limit"}
-    names |= {"outside": "outside_tested_share"}
+    names = {"of_limit": "creep_limit", "outside": "outside_tested_share"}
     if key == "least_slack":
-        return "Least slack-side tension with which every check that it helps passes."
+        return "Minimum T2 with which every check that a higher T2 helps passes."
     entry = GLOSSARY.get(names.get(key, key))
     return entry.meaning if entry else ""
 

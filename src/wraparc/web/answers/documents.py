@@ -86,9 +86,8 @@ def _check_arcs(pulleys: int, cases: int) -> None:
     several = f" on {pulleys} pulleys" if pulleys > 1 else ""
     raise input_error(
         key="load_case",
-        message=f"{cases:,} load cases{several} are more than the {MOST_ARCS // pulleys} "
-        "that this server takes, the design case and conditions counted",
-        remedy="Leave some out, or solve the file on the command line: wraparc solve FILE.",
+        message=f"{cases:,} load cases{several} with conditions, at most {MOST_ARCS // pulleys}",
+        remedy="Leave some out, or run wraparc solve FILE.",
     )
 
 

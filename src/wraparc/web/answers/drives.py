@@ -93,7 +93,7 @@ class FastAnswer(Arc):
 
 
 class Paper(Answer):
-    """The same arc by the paper's march."""
+    """The same arc by the paper's integration."""
 
     status: StatusName
     numbers: dict[str, float | None]

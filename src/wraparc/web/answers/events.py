@@ -80,7 +80,7 @@ def check(asked: EventRequest) -> Named:
     motion = _motion(asked)
     positive_quantity(asked.run_out, "length", "run_out")
     if asked.what != "run":
-        return Named(title="Will it pulsate?" if asked.what == "stability" else "Stability map")
+        return Named(title="Is the drive stable?" if asked.what == "stability" else "Stability map")
     event = motion.event(asked.event or "")
     if asked.step is not None:
         positive_quantity(asked.step, "time", "step")

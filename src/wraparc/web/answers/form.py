@@ -3,6 +3,7 @@
 from collections.abc import Iterable
 from functools import cache
 
+from wraparc.answer import key_figures
 from wraparc.conveyor.keys import CONVEYOR
 from wraparc.drive import CREEP_LIMIT, Lagging
 from wraparc.files.across_keys import ACROSS, PULLEY_END, TRANSITION
@@ -118,10 +119,19 @@ class Term(Answer):
     meaning: str
 
 
+class Figure(Answer):
+    """A key figure, see `wraparc.answer.key_figures`."""
+
+    name: str
+    better: str
+    elsewhere: list[str]
+
+
 class Form(Answer):
-    """The form of a drive, the units and the glossary."""
+    """The form of a drive, the units, the glossary and the key figures."""
 
     version: str
+    key_figures: list[Figure]
     units: dict[str, Units]
     glossary: dict[str, Term]
     sections: list[Section]
@@ -143,6 +153,7 @@ def form() -> Form:
     ]
     return Form(
         version=__version__,
+        key_figures=[Figure(**figure._asdict()) for figure in key_figures.KEY_FIGURES],
         criteria=[section.key for section in criteria],
         units={dimension: _units(dimension) for dimension in DIMENSIONS},
         glossary={name: _term(quantity) for name, quantity in GLOSSARY.items()},
@@ -159,7 +170,7 @@ def form() -> Form:
             _section("motion", "In time", "motion.", filter(_is_plain, MOTION.entries)),
             _section(
                 "motion_drum",
-                "Drums in time",
+                "Drives in time",
                 "motion.drum[].",
                 filter(_is_plain, DRUM.entries),
                 repeated=True,

@@ -151,8 +151,7 @@ def _missing(plan: Data, stored: dict[str, str]) -> Iterator[Problem]:
     if not stored and not plan.get("number"):
         yield Problem(
             message="nothing measured was chosen",
-            remedy="Choose the record of an instrumented pulley (CSV), or a calibrate file "
-            "together with its records.",
+            remedy="Choose the record of a pulley (CSV), or a calibrate file with its records.",
         )
 
 

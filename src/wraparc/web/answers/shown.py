@@ -42,6 +42,7 @@ _Number = TypedDict(
         "value": float | None,
         "from": NotRequired[float],
         "apart": NotRequired[float],
+        "error": NotRequired[float],
         "unit": str,
         "name": NotRequired[str],
         "dimension": NotRequired[Dimension],
@@ -62,7 +63,8 @@ class Number(_Number):
 
     `name` is that of the glossary, which has its dimension; `dimension` is there where there is
     none. `form` is how it is shown, see `wraparc.units.cell.Form`; `from` is where a range begins,
-    `apart` a number that its digits tell it from. Left out are three digits and the plain form.
+    `apart` a number that its digits tell it from, `error` half its interval. Left out are three
+    digits and the plain form.
     """
 
     text: str
@@ -276,23 +278,24 @@ def sheet(told: sheets.Sheet) -> Data:
 
 def bars(checks: Sequence[Check]) -> list[Bar]:
     """Return the checks that have a value and a limit, in the order of their table."""
-    return [
-        Bar(
-            name=check.name,
-            title=check.title,
-            level=check.level,
-            place=str(check.place),
-            at_most=check.at_most,
-            value=check.value,
-            share=check.share,
-            found=worded(check.texts()[0]),
-            limit=worded(check.bound()),
-            says=worded(check.text if check.missed else ""),
-            source=check.source,
-        )
-        for check in checks
-        if not math.isnan(check.share)
-    ]
+    return [_bar(check) for check in checks if not math.isnan(check.share)]
+
+
+def _bar(check: Check) -> Bar:
+    found, limit = check.texts()
+    return Bar(
+        name=check.name,
+        title=check.title,
+        level=check.level,
+        place=str(check.place),
+        at_most=check.at_most,
+        value=check.value,
+        share=check.share,
+        found=worded(found),
+        limit=worded(limit),
+        says=worded(check.text if check.missed else ""),
+        source=check.source,
+    )
 
 
 def status_of(result: ArcResult) -> StatusName:

@@ -133,7 +133,7 @@ def _paths(value: Any, place: tuple[str | int, ...]) -> Iterator[Problem]:
     elif isinstance(value, str):
         text = value.partition("=")[2].strip(" \"'") if "=" in value else value
         if (is_path(text) or "\\" in text or "{" in text) and not _is_quantity(text):
-            message = "the path of a file cannot be used here"
+            message = "cannot be a path here"
             remedy = "Put the lagging into the drive, and name it."
             key = place_text(place)
             yield Problem(message=message, remedy=remedy, key=key, value=shown(value))

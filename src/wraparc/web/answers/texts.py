@@ -4,7 +4,7 @@ import re
 from dataclasses import replace
 from typing import get_args
 
-from wraparc.errors import InputError, Problem, input_error, shown
+from wraparc.errors import InputError, Problem, input_error, name_remedy, shown
 from wraparc.files.lagging_file import lagging_from_document
 from wraparc.schema.emit import document_text
 from wraparc.schema.quantity_text import quantity_text
@@ -140,7 +140,7 @@ def _quantity(text: str, dimension: str) -> Quantity:
     of: Dimension | None = next((d for d in get_args(Dimension) if d == dimension), None)
     try:
         if of is None:
-            known = f"Known are {', '.join(DIMENSIONS)}."
+            known = name_remedy(dimension, DIMENSIONS)
             problem = Problem(message="no such dimension", remedy=known, value=shown(dimension))
             raise InputError(problem)
         value = parse_quantity(text, of)

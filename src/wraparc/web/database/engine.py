@@ -61,7 +61,7 @@ def open_engine(url: str, shown: str) -> Engine:
             engine.dispose()
             raise
     except CommandError:
-        message = "this database was made by a newer version of wraparc"
+        message = "was made by a newer wraparc"
         raise _unusable(shown, message, "Update wraparc, or name another database.") from None
     except ArgumentError:
         message = "is no URL of a database"
@@ -123,14 +123,10 @@ def _is_damage(error: Exception) -> bool:
 def _after_damage(file: str) -> str:
     """Say what can be done with a damaged file."""
     kept = Path(f"{file}{_BACKUP}")
-    found = f"It was left as it is; `sqlite3 {quoted(file)} .recover` may save what is in it."
     if not kept.exists():
-        return f"{found} Name another file with --database."
+        return f"Repair it: sqlite3 {quoted(file)} .recover."
     day = datetime.fromtimestamp(kept.stat().st_mtime).astimezone()
-    return (
-        f"{found} The designs as of {day:%Y-%m-%d %H:%M} are in {quoted(str(kept))}: name a copy "
-        "of that file with --database."
-    )
+    return f"Give a copy of {quoted(str(kept))} ({day:%Y-%m-%d %H:%M})."
 
 
 def _engine(url: str) -> Engine:

@@ -46,8 +46,8 @@ def user_folder() -> Path:
     try:
         home = Path.home()
     except RuntimeError:
-        message = "this user has no home, and the folder of his data is not named"
-        remedy = "Set WRAPARC_DATA to a folder, or name a file with --database."
+        message = "this user has no home folder"
+        remedy = "Set WRAPARC_DATA to a folder, or give --database."
         raise input_error(message=message, remedy=remedy) from None
     if sys.platform == "win32":
         base = Path(os.environ.get("LOCALAPPDATA", home / "AppData" / "Local"))

@@ -92,7 +92,7 @@ class NewerVersionError(ApiError):
 
     def __init__(self, newest: int) -> None:
         message = f"version {newest} of this design was saved meanwhile"
-        remedy = "Open it and look, or save this one under another name."
+        remedy = "Open it, or save this one under another name."
         super().__init__(409, Problem(message=message, remedy=remedy, key="base"))
         self.newest = newest
 
@@ -276,11 +276,11 @@ def _unavailable(error: SQLAlchemyError, *, writes: bool, committing: bool) -> A
     text = reason(error)
     if committing and isinstance(error, DBAPIError) and error.connection_invalidated:
         problem = Problem(
-            message=f"the saved designs went out of reach while this was saved ({text})",
-            remedy="Look into the list whether it is there before you save it again.",
+            message=f"the saved designs went out of reach ({text})",
+            remedy="See whether it is listed before you save again.",
         )
         return ApiError(503, problem, {"retry-after": "5"})
-    saved = "Nothing was saved: keep the page open, or save the design as a file."
+    saved = "Leave the page open, or save the design as a file."
     if "is full" in text or "No space left" in text:
         problem = Problem(message="the disk with the saved designs is full", remedy=saved)
         return ApiError(507, problem)

@@ -33,8 +33,9 @@ export async function compared({ document: doc, load_case, what }, data) {
   const shown = Math.max(cases.indexOf(load_case ?? arcs[0]?.judging.meant ?? ""), 0);
   for (const { name, changed, change, judging } of arcs) {
     const numbers = await beside(arcsOf(judging));
-    if (numbers) rows.push(rowOf(name, what, judge(judging, changed, numbers), shown, change, doc));
-    else not_possible.push({ name, problems: [{ path: "", message: "no answer was found" }] });
+    const judged = numbers && judge(judging, changed, numbers);
+    if (judged) rows.push(rowOf(name, what, judged, shown, change, doc, data.compare.columns));
+    else not_possible.push({ name, problems: [{ path: "", message: "no result" }] });
   }
   const { columns, remarks } = data.compare;
   return {
@@ -93,8 +94,8 @@ const far = (belt, rating) => Math.abs(Math.log(belt.rating / rating));
 
 /** @param {string} name @param {string} what @param {import("../static/pages/drive/judge.js").Judged} judged
  * @param {number} shown load case whose numbers these are
- * @param {Change} change @param {Design} doc */
-function rowOf(name, what, judged, shown, change, doc) {
+ * @param {Change} change @param {Design} doc @param {{key: string}[]} columns */
+function rowOf(name, what, judged, shown, change, doc, columns) {
   const { solved, numbers: n, load_case } = judged.arcs[shown];
   const { level, label, short: words } = verdictOf(judged);
   const { governing: worst } = judged.verdict;
@@ -106,22 +107,23 @@ function rowOf(name, what, judged, shown, change, doc) {
     ? Math.abs(n.exit_creep) / +judged.of.cases[shown].prepared.given.creep_limit
     : none;
   const known = (/** @type {number} */ v) => (solved ? v : none);
+  /** @type {Record<string, any>} */
+  const further = {
+    exit_creep: cell("exit_creep", known(Math.abs(n.exit_creep))),
+    of_limit: share(of),
+    creep_limit_margin: cell("creep_limit_margin", n.creep_limit_margin),
+    least_slack: cell("least_exit_tension", leastTension(judged.result)?.tension ?? none),
+    outside: share(known(n.outside_tested_share)),
+  };
   return {
     ...{ name, level, label, short, change, condition: conditionOf(doc), cost_note: "" },
     title: (what === "belts" ? belt?.kind : lagging?.title) ?? "",
     kind: what === "belts" ? "" : (lagging?.kind ?? ""),
     source: (what === "belts" ? belt : lagging)?.source ?? "",
     present: change.length === 0,
-    cells: {
-      creep: cell("exit_creep", known(Math.abs(n.exit_creep))),
-      of_limit: share(of),
-      peak_shear_stress: cell("peak_shear_stress", known(n.peak_shear_stress)),
-      peak_shear_angle: cell("peak_shear_angle", known(n.peak_shear_angle)),
-      margin: cell("creep_limit_margin", n.creep_limit_margin),
-      least_slack: cell("least_exit_tension", leastTension(judged.result)?.tension ?? none),
-      power_loss: cell("power_loss", known(n.power_loss)),
-      outside: share(known(n.outside_tested_share)),
-    },
+    cells: Object.fromEntries(
+      columns.map(({ key }) => [key, further[key] ?? cell(key, known(n[key] ?? none))]),
+    ),
   };
 }
 const none = Number.NaN;

@@ -40,8 +40,8 @@ const refused = (message) => new Refused([{ path: "", message, sentence: message
 const POINTS = 180;
 const OF_ONE =
   "Laggings and belts are compared in this page for a drive of one pulley; of several drives " +
-  "wraparc what-if tells what a change brings.";
-const UNSOLVED = "The solver of this page found no answer here; wraparc solve says why.";
+  "wraparc what-if calculates changes.";
+const UNSOLVED = "No result in this page; wraparc solve gives the reason.";
 
 /** @type {Record<string, (asked: any) => any>} */
 const ANSWERS = {
@@ -75,7 +75,7 @@ const ANSWERS = {
     return wholeOf(judged);
   },
   train({ document, match }) {
-    if (match) throw new Advice("How exactly drives must be matched is told by wraparc trim.");
+    if (match) throw new Advice("wraparc trim calculates speed tolerances.");
     return trainAnswer(document, data);
   },
   compare(asked) {

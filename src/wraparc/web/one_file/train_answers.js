@@ -16,8 +16,8 @@ import { trainOf } from "./trains.js";
 
 /** @import { Design } from "../static/types.d.ts" */
 
-const UNSOLVED = "The solver of this page found no answer here; wraparc solve says why.";
-const SOLVED = "The drives carry the load.";
+const UNSOLVED = "No result in this page; wraparc solve gives the reason.";
+const SOLVED = "The drives transmit the load.";
 /** The train that was asked about last: both pages ask for the same. */
 let last = { doc: "", found: /** @type {any} */ (null) };
 
@@ -81,7 +81,7 @@ function resultOf({ c, system, told, own, quicks, divided }, numbers) {
       },
       status: solved ? "solved" : "breakaway",
       energy: { power_loss: summary.power_loss },
-      capacities: { creep_limit_margin: numbers[i].capacities.creep_limit_margin },
+      figures: { ...summary, ...numbers[i].capacities },
     };
     const fields = { ...told.turnings[i], arc, motor: told.points[i] };
     return Object.assign(Object.create(K.MemberResult.prototype), fields);

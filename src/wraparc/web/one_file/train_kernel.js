@@ -33,7 +33,7 @@ import {
   summary__geometry_of,
   traction__held_stress,
 } from "../static/kernel.js";
-import { display, percent, quantity, term } from "./told.js";
+import { display, figure_of, fixed, percent, quantity, term } from "./told.js";
 const max = (a, b) => (b > a ? b : a);
 const min = (a, b) => (b < a ? b : a);
 const copysign = (a, b) => (b < 0 || Object.is(b, -0) ? -Math.abs(a) : Math.abs(a));
@@ -790,6 +790,19 @@ export class Table {
   }
 }
 
+export class KeyFigure {
+  constructor(name, better = "low", elsewhere = []) {
+    this.name = name;
+    this.better = better;
+    this.elsewhere = elsewhere;
+  }
+  *[Symbol.iterator]() {
+    yield this.name;
+    yield this.better;
+    yield this.elsewhere;
+  }
+}
+
 export class CaseResult {
   constructor(
     case_,
@@ -1141,9 +1154,9 @@ const _OF_ITSELF = 2.0;
 const _OF_WRAP = 0.02;
 const _NEAR = 1e-5;
 const _HALVINGS = 15;
-const SOLVED = "The drives carry the load.";
+const SOLVED = "The drives transmit the load.";
 const BREAKAWAY =
-  "Breakaway: a drive cannot hold its part of the load. Raise the slack-side tension (take-up), bring the speeds closer together, or choose a lagging with more friction.";
+  "Gross slip: a drive cannot transmit its share of the load. Raise the slack-side tension (take-up), bring the speeds closer together, or choose a lagging with more friction.";
 const _ROUNDS = 5;
 const _SAME = 1e-7;
 const _GIVE = 0.01;
@@ -1154,7 +1167,7 @@ const UNSOLVED =
 const _IDLE = 1e-11;
 const GIVEN_DIGITS = 4;
 const BEYOND_MOTOR =
-  "No operating point: a motor would have to work beyond its curve. Change its set speed or gear, or choose another motor.";
+  "No operating point: a motor would have to work outside its curve. Change its set speed or gear, or choose another motor.";
 const _EITHER = [
   ["material_mass", "capacity", 'material_mass = "120 kg/m"'],
   ["take_up_tension", "counterweight", 'take_up_tension = "40 kN"'],
@@ -1169,6 +1182,20 @@ const USUAL_OFFSET = 0.005;
 const _TOLERATED = 0.05;
 const NONE = "-";
 const _ROUNDING = 1e-9;
+const KEY_FIGURES = [
+  new KeyFigure("entry_tension", "", ["short", "arcs", "tiles", "compare"]),
+  new KeyFigure("exit_tension", "", ["short", "arcs", "tiles", "compare"]),
+  new KeyFigure("effective_tension", "", ["short", "arcs", "tiles", "compare"]),
+  new KeyFigure("tension_ratio", "", ["short", "arcs", "drives", "compare", "changes"]),
+  new KeyFigure("exit_creep", "low", ["short", "arcs"]),
+  new KeyFigure("exit_slip", "", ["short", "drives", "compare"]),
+  new KeyFigure("peak_shear_stress", "low", ["tiles"]),
+  new KeyFigure("peak_shear_angle", "low", ["short", "drives"]),
+  new KeyFigure("mean_friction", "", ["short", "drives", "compare", "changes"]),
+  new KeyFigure("creep_limit_margin", "high", ["short", "changes"]),
+  new KeyFigure("equivalent_friction", "", ["short", "drives", "compare"]),
+  new KeyFigure("power_loss", "low", []),
+];
 const ATTENTION = "ATTENTION";
 const TRAIN_BALANCE = 1e-5;
 const _LEAST_RISE = 1e-9;
@@ -1534,10 +1561,9 @@ export function locate___shares(system, state) {
   return [...[...state.passages].map((p) => (p.entry - p.exit) / system.pull)];
 }
 
-/** Return "a breaks" or "a and b break". */
+/** Return the names of drives, "a and b". */
 export function locate___listed(names, indices) {
-  let verb = indices.length === 1 ? "breaks" : "break";
-  return "" + $text([...indices].map((i) => names[i]).join(" and ")) + " " + $text(verb);
+  return [...indices].map((i) => names[i]).join(" and ");
 }
 
 /** Return the stable one of several states; there is none where a drive is past its peak. */
@@ -1560,9 +1586,9 @@ export function locate___chosen(system, names, states) {
     status = BREAKAWAY;
     reason =
       "" +
-      "At these speeds " +
+      "At these speeds gross slip on " +
       $text(locate___listed(names, fallen)) +
-      " away: the only balance there is has " +
+      ": the only balance has " +
       $text(fallen.length === 1 ? "it" : "them") +
       " sliding, past the peak of friction.";
   }
@@ -1673,9 +1699,14 @@ export function locate___stiffened(system, state) {
   return now;
 }
 
-/** Say which drives break away. */
+/** Return which drives slip. */
 export function locate__away(names, indices) {
-  return "" + $text(locate___listed(names, indices)) + " away: no creep makes enough friction.";
+  return (
+    "" +
+    "Gross slip on " +
+    $text(locate___listed(names, indices)) +
+    ": no creep gives enough friction."
+  );
 }
 
 /** Return the failure of a train, with the drives that break away. */
@@ -1703,7 +1734,7 @@ export function locate___broken(system, names, passages, level) {
   } else if (Math.abs(passages.at(-1).exit / system.exit - 1.0) > 0.001) {
     fallen = [...$range(names.length)];
     reason =
-      "" + "The friction of " + $text(names.join(" and ")) + " together cannot carry the load.";
+      "" + "The friction of " + $text(names.join(" and ")) + " together cannot transmit the load.";
   } else {
     status = UNSOLVED;
   }
@@ -1938,12 +1969,12 @@ export function turning__beyond_motor(name, rotation, motor, point) {
     top = found1[1];
     means =
       low === 0.0
-        ? "it cannot hold back"
-        : "" + "it holds back " + $told(-low, false, 3, "g") + " rated torques";
+        ? "it cannot brake"
+        : "" + "it brakes with " + $told(-low, false, 3, "g") + " rated torques";
     if (turns === top) {
       return (
         "" +
-        "The belt drives the drum of " +
+        "The belt drives pulley " +
         $text(name) +
         " at " +
         $text(turns) +
@@ -1954,7 +1985,7 @@ export function turning__beyond_motor(name, rotation, motor, point) {
     }
     return (
       "" +
-      "The belt drives the drum of " +
+      "The belt drives pulley " +
       $text(name) +
       " at " +
       $text(turns) +
@@ -1975,7 +2006,7 @@ export function turning__beyond_motor(name, rotation, motor, point) {
       $told(point.motor_load, false, 3, "g") +
       " times its rated torque, its curve ends at " +
       $told(high, false, 3, "g") +
-      "; its drum turns at " +
+      "; its pulley turns at " +
       $text(turns) +
       "."
     );
@@ -2080,7 +2111,7 @@ export function conveyor__choices(given) {
   for (const each1 of _EITHER) {
     [first, second, example] = each1;
     if (given.includes(first) && given.includes(second)) {
-      message = "" + $text(first) + " and " + $text(second) + " both say the same";
+      message = "" + "means the same as " + $text(first);
       problems.push(new Problem(message, "Leave one of them out.", undefined, second));
     } else if (example !== "" && !given.includes(first) && !given.includes(second)) {
       remedy = "" + "Write " + $text(example) + ", or " + $text(second) + ".";
@@ -2129,9 +2160,9 @@ export function belt_path__overlaps(before, pulley, after) {
     if (distance < (end.diameter + pulley.diameter) / 2.0 || distance === 0.0) {
       message =
         "" +
-        "its centre is only " +
+        "overlaps the pulley: their centres are " +
         $text(display(distance, "length")) +
-        " from that of the pulley, and the two overlap";
+        " apart";
       remedy = "Check the coordinates and the diameters.";
       problems.push(new Problem(message, remedy, undefined, key));
     }
@@ -2161,13 +2192,13 @@ export function train_words___shares(case_) {
           $text(sheet__named("effective_tension", m.arc.effective_tension)),
       )
       .join(", ");
-    return "" + "nothing is shared; the drives pull " + $text(pulls);
+    return "" + "nothing is shared; the Te of the drives is " + $text(pulls);
   }
   return [...case_.members]
     .map((m) =>
       rule__idle(m.arc.arc)
         ? "" + $text(m.name) + " is not driven"
-        : "" + $text(m.name) + " carries " + $text(percent(m.share)),
+        : "" + $text(m.name) + " takes " + $text(percent(m.share)),
     )
     .join(", ");
 }
@@ -2199,7 +2230,7 @@ export function train_words___fight(case_) {
   let brake = back.length === 1 ? "brakes" : "brake";
   return (
     "" +
-    "The drives fight: " +
+    "The drives oppose each other: " +
     $text(forward.join(" and ")) +
     " " +
     $text(drive) +
@@ -2207,9 +2238,9 @@ export function train_words___fight(case_) {
     $text(back.join(" and ")) +
     " " +
     $text(brake) +
-    ", " +
+    ", by " +
     $text(sheet__named("effective_tension", lost)) +
-    " of pull against each other."
+    "."
   );
 }
 
@@ -2221,8 +2252,8 @@ export function train_words___signed(term) {
 
 /** Say whether the rule of the slightly faster second drive holds. */
 export function train_words___rule(ratio) {
-  let holds = ratio > 0.0 ? "holds" : "does not hold";
-  return "" + ", and the rule of the slightly faster second drive " + $text(holds);
+  let applies = ratio > 0.0 ? "applies" : "does not apply";
+  return "" + ", and the rule of the slightly faster second drive " + $text(applies);
 }
 
 /** Say which of the terms makes a drum faster or slower. */
@@ -2231,7 +2262,7 @@ export function train_words___reason(m, ratio) {
   let others = m.contraction_term + m.compression_term + m.creep_term;
   if (m.arc.arc.pitch_offset !== null && Math.abs(m.thickness_term) > Math.abs(others)) {
     way = m.thickness_term < 0.0 ? "farther out" : "closer in";
-    return "" + "its tension member runs " + $text(way) + " than on the first drum";
+    return "" + "its tension member runs " + $text(way) + " than on the first pulley";
   }
   let shorter = m.contraction_term + m.compression_term + m.thickness_term;
   if (ratio > 0.0 && m.creep_term > 0.0 && shorter <= 0.0) {
@@ -2241,7 +2272,7 @@ export function train_words___reason(m, ratio) {
     return "contraction and compression outweigh its extra creep";
   }
   if (shorter < 0.0) {
-    return "contraction, compression and a smaller creep all ask for it";
+    return "contraction, compression and a smaller creep all require it";
   }
   return "the belt is as tight there as at the first drive, or tighter";
 }
@@ -2268,11 +2299,10 @@ export function train_words___speed_sentence(case_, m) {
   if (Math.abs(ratio) < _AS_FAST) {
     return (
       "" +
-      "The drum of " +
       $text(m.name) +
       " " +
       $text(verb) +
-      " as fast as that of " +
+      " as fast as " +
       $text(first) +
       ", at equal diameters: " +
       $text(terms) +
@@ -2282,7 +2312,6 @@ export function train_words___speed_sentence(case_, m) {
   let rule = asked && m.creep_term > 0.0 ? train_words___rule(ratio) : "";
   return (
     "" +
-    "The drum of " +
     $text(m.name) +
     " " +
     $text(verb) +
@@ -2290,7 +2319,7 @@ export function train_words___speed_sentence(case_, m) {
     $told(Math.abs(100.0 * ratio), false, 3, "f") +
     " % " +
     $text(way) +
-    " than that of " +
+    " than " +
     $text(first) +
     ", at equal diameters (" +
     $text(terms) +
@@ -2307,9 +2336,9 @@ export function turning__surface_sentence(diameter) {
   let [belt, drum] = [...[2.0 * USUAL_OFFSET, diameter]].map((d) => quantity(d, "length"));
   return (
     "" +
-    "Drum speeds are those at the lagging surface: " +
+    "Pulley speeds are those at the lagging surface: " +
     $text(belt) +
-    " of belt on a drum of " +
+    " of belt on a pulley of " +
     $text(drum) +
     " would lower them by " +
     $told(shift, false, 2, "f") +
@@ -2380,7 +2409,7 @@ export function* train_words___matching(case_, cases) {
       $text(percent(slope, 2)) +
       " of the load" +
       $text(how) +
-      ": to keep its share within " +
+      ": for a share within " +
       $text(percent(_TOLERATED)) +
       ", speeds and diameters must match within " +
       $text(train_words___needed(slope)) +
@@ -2411,14 +2440,14 @@ export function* train_words___motor_losses(case_) {
   }
   let electrical = $sum([...points].map((p) => p.electrical_power));
   if (Number.isNaN(electrical)) {
-    tail = "; what the motors themselves lose is not told without their motor_efficiency";
+    tail = "; motor losses need motor_efficiency";
   } else {
     mains = sheet__named("electrical_power", electrical);
     tail = "" + "; the motors take " + $text(mains) + " from the mains";
   }
   let are = parts.length === 1 ? "is" : "are";
   yield "" +
-    "Between mains and drums " +
+    "Between mains and pulleys " +
     $text(parts.join(", ")) +
     " " +
     $text(are) +
@@ -2492,11 +2521,7 @@ export function train_sheet___shown(value, name, digits) {
 
 /** Return a small ratio as percent with its sign: ``-0.3121 %``. */
 export function train_sheet__signed(ratio) {
-  if (Number.isNaN(ratio)) {
-    return NONE;
-  }
-  let text = "" + $told(100.0 * ratio, true, 4, "f") + " %";
-  return text === "+0.0000 %" || text === "-0.0000 %" ? "0" : text;
+  return fixed(ratio, 4, "percent signed");
 }
 
 export function train_sheet___share(m) {
@@ -2553,7 +2578,26 @@ export function train_sheet___motor_rows(members) {
 
 /** Return a trim as percent of nominal: ``99.655 %``. */
 export function train_sheet__trim_text(trim) {
-  return Number.isNaN(trim) ? NONE : "" + $told(100.0 * trim, false, 3, "f") + " %";
+  return fixed(trim, 3, "percent fixed");
+}
+
+export function key_figures___stands_in(place, figure) {
+  let elsewhere = figure.elsewhere;
+  return !elsewhere.includes(place);
+}
+
+/** Return the key figures that stand in a place of their own there, in their order. */
+export function key_figures__key_figures(place) {
+  return [...KEY_FIGURES].filter((figure) => key_figures___stands_in(place, figure));
+}
+
+/** Whether a key figure is a row of its own: tensions stand above, a margin may be unknown. */
+export function train_sheet___has_key_row(members, name) {
+  if (name === "entry_tension" || name === "exit_tension" || name === "effective_tension") {
+    return false;
+  }
+  let searched = name === "creep_limit_margin";
+  return !(searched && [...members].every((m) => Number.isNaN(figure_of(m.arc, name))));
 }
 
 export function train_sheet___creep_row(case_) {
@@ -2591,6 +2635,22 @@ export function train_sheet___loss_note(case_) {
   return (
     "" + "together " + $text(sheet__named("power_loss", case_.power_loss)) + ", " + $text(ratio)
   );
+}
+
+/** Return the row of a key figure of the drives. */
+export function train_sheet___key_row(case_, name) {
+  let texts;
+  if (name === "exit_creep") {
+    return train_sheet___creep_row(case_);
+  }
+  let entry = term(name);
+  let members = case_.members;
+  if (name === "power_loss") {
+    texts = [...[...members].map((m) => train_sheet___lost(m))];
+    return new Row(entry.title, texts, entry.symbol, train_sheet___loss_note(case_), name);
+  }
+  let values = [...[...members].map((m) => sheet__named(name, figure_of(m.arc, name)))];
+  return new Row(entry.title, values, entry.symbol, undefined, name);
 }
 
 export function train_sheet___sensitivity_row(case_) {
@@ -2661,13 +2721,11 @@ export function train_sheet__case_table(case_) {
       (m) => train_sheet__trim_text(m.speed_trim),
       "what a speed control is set to",
     ),
-    train_sheet___creep_row(case_),
+    ...[...key_figures__key_figures("drives")]
+      .filter((f) => train_sheet___has_key_row(members, f.name))
+      .map((f) => train_sheet___key_row(case_, f.name)),
+    train_sheet___sensitivity_row(case_),
   ];
-  if (![...members].every((m) => Number.isNaN(m.arc.capacities.creep_limit_margin))) {
-    rows.push(told("creep_limit_margin", (m) => m.arc.capacities.creep_limit_margin));
-  }
-  rows.push(row("power_loss", train_sheet___lost, train_sheet___loss_note(case_)));
-  rows.push(train_sheet___sensitivity_row(case_));
   let note = case_.status === SOLVED ? train_sheet___precision(case_) : case_.reason;
   return new Table(
     "" + "Drives: load case " + $text(case_.case.name),

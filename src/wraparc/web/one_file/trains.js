@@ -91,10 +91,8 @@ function solved(train, given, names, nominal) {
   const told = K.in_page_train__told(system, names, divided, quicks, nominal, motors);
   return { why: "", c, given, system, divided, own, quicks, motors, told };
 }
-const NO_TENSION =
-  "leaves no tension in the belt, and a belt cannot push; give other shares, or more tension " +
-  "on the slack side";
-const UNSOLVED = "the solver of this page found no answer here; wraparc solve says why";
+const NO_TENSION = "leaves no tension in the belt; give other shares, or a higher " + "T2";
+const UNSOLVED = "no result in this page; wraparc solve gives the reason";
 
 const ENDS = ["entry_tension", "exit_tension", "effective_tension", "tension_ratio"];
 /** An arc as one that slides has it: tensions, and no state at rest. @param {any} found */

@@ -28,7 +28,7 @@ export interface AcrossRequest {
   document: Record<string, any>;
   /** The first if left out. */
   pulley?: string | null;
-  /** The running one of the largest pull if left out. */
+  /** The running one of maximum effective tension if left out. */
   load_case?: string | null;
 }
 export interface AcrossThicknessAnswer {
@@ -40,7 +40,7 @@ export interface AcrossThicknessRequest {
   document: Record<string, any>;
   /** The first if left out. */
   pulley?: string | null;
-  /** The running one of the largest pull if left out. */
+  /** The running one of maximum effective tension if left out. */
   load_case?: string | null;
   thicknesses: string[];
 }
@@ -60,7 +60,7 @@ export interface AcrossWearRequest {
   document: Record<string, any>;
   /** The first if left out. */
   pulley?: string | null;
-  /** The running one of the largest pull if left out. */
+  /** The running one of maximum effective tension if left out. */
   load_case?: string | null;
   /** Mean depth to wear off; or `passes`; on to re-lagging if left out. */
   depth?: string | null;
@@ -68,7 +68,7 @@ export interface AcrossWearRequest {
   passes?: number | null;
   /** Of the thinnest strip when re-lagged. */
   least_thickness?: string;
-  /** Run since the lagging was new, to tell how fast it wears. */
+  /** Run since the lagging was new, for its wear rate. */
   hours?: number | null;
 }
 export interface Action {
@@ -84,7 +84,7 @@ export interface ActionRequest {
   document: Record<string, any>;
   /** Only this one. */
   load_case?: string | null;
-  /** Comes back as it is. */
+  /** Returned unchanged. */
   sequence?: number;
 }
 export interface Also {
@@ -203,7 +203,7 @@ export interface ChooseRequest {
   diameters?: string[];
   wrap_angles?: string[];
   slack_tensions?: string[];
-  /** Each design with the least T2 that does. */
+  /** Each design with its minimum T2. */
   least_slack?: boolean;
   currency?: string;
   years?: number;
@@ -375,7 +375,7 @@ export interface FastRequest {
   document: Record<string, any>;
   /** The first if left out. */
   pulley?: string | null;
-  /** The running one of the largest pull if left out. */
+  /** The running one of maximum effective tension if left out. */
   load_case?: string | null;
   /** Parts of the wrap in the profile. */
   points?: number;
@@ -383,7 +383,7 @@ export interface FastRequest {
   tables?: boolean;
   /** Whether to send the arc as numbers, of which the page goes on itself. */
   prepared?: boolean;
-  /** Comes back as it is. */
+  /** Returned unchanged. */
   sequence?: number;
 }
 export interface Field {
@@ -402,6 +402,11 @@ export interface Field {
   allowed?: string;
   least?: number | null;
   most?: number | null;
+}
+export interface Figure {
+  name: string;
+  better: string;
+  elsewhere: string[];
 }
 export interface FileAnswer {
   read?: boolean;
@@ -492,6 +497,7 @@ export interface FittedCurve {
 }
 export interface Form {
   version: string;
+  key_figures: Figure[];
   units: Record<string, Units>;
   glossary: Record<string, Term>;
   sections: Section[];
@@ -635,6 +641,7 @@ export interface Number {
   value: number | null;
   from?: number;
   apart?: number;
+  error?: number;
   unit: string;
   name?: string;
   dimension?: Dimension;
@@ -646,6 +653,7 @@ export interface NumberInText {
   value: number | null;
   from?: number;
   apart?: number;
+  error?: number;
   unit: string;
   name?: string;
   dimension?: Dimension;
@@ -829,7 +837,7 @@ export interface SeekRequest {
   value: string;
   pulley?: string;
   load_case?: string;
-  /** Least input; a third of the present one if left out. */
+  /** Minimum input; a third of the present one if left out. */
   least?: string;
   /** Most; three times the present one if left out. */
   most?: string;
@@ -1214,6 +1222,7 @@ export type Dimension =
   | "energy_per_area"
   | "power_per_area"
   | "rotation_speed"
+  | "frequency"
   | "mass"
   | "mass_per_length"
   | "mass_flow"
@@ -1238,4 +1247,10 @@ export type CellForm =
   | "-"
   | "to up"
   | "to down"
-  | "of";
+  | "of"
+  | "bare error"
+  | "fixed"
+  | "signed"
+  | "percent fixed"
+  | "percent signed"
+  | "grouped";

@@ -1,6 +1,14 @@
 // @ts-nocheck
 // Made from the Python source by `make kernel`: change that, not this.
-import { cellOf, decimal, exponentOf, scientific, trimmed, unitRow } from "./base/digits.js";
+import {
+  cellOf,
+  decimal,
+  exponentOf,
+  grouped,
+  scientific,
+  trimmed,
+  unitRow,
+} from "./base/digits.js";
 const max = (a, b) => (b > a ? b : a);
 const min = (a, b) => (b < a ? b : a);
 const copysign = (a, b) => (b < 0 || Object.is(b, -0) ? -Math.abs(a) : Math.abs(a));
@@ -13,9 +21,10 @@ const SMALL = "wear_coefficient";
 const GIVEN_DIGITS = 4;
 const _EXACT = 1e-9;
 const RESULT_DIGITS = 3;
+const _EVERY = 16;
 const MOST_DIGITS = 9;
 const NONE = "-";
-const _UNBOUNDED = "without bound";
+const _UNBOUNDED = "infinite";
 const _SLOW = 0.1;
 
 export function digits___equal(a, b) {
@@ -103,6 +112,37 @@ export function digits__safe(value, size, up) {
   return shown === number ? value : shown * size;
 }
 
+/** Return a number with so many digits behind the point; its sign always, unless it is 0. */
+export function digits__decimals(number, digits, signed) {
+  let power;
+  if (!Number.isFinite(number)) {
+    return digits__rounded(number, digits);
+  }
+  let text = decimal(0.0, digits);
+  if (number !== 0.0) {
+    power = exponentOf(scientific(number, _EVERY));
+    if (power + digits >= _EVERY - 2) {
+      text = digits__rounded(number, _EVERY - 1);
+    } else if (power + digits >= 0) {
+      text = decimal(Number(scientific(number, power + digits)), digits);
+    } else if (Math.abs(number) > 0.5 * 10.0 ** -digits) {
+      text = decimal(number > 0.0 ? 10.0 ** -digits : -(10.0 ** -digits), digits);
+    }
+  }
+  if (Number(text) === 0.0) {
+    return signed ? "0" : decimal(0.0, digits);
+  }
+  return signed && number > 0.0 ? "+" + text : text;
+}
+
+/** Return a share in hundredths. */
+export function cell___share(value, digits, form) {
+  if (form === "percent") {
+    return display__display(100.0 * value, "number", "si", digits);
+  }
+  return digits__decimals(100.0 * value, digits, form === "percent signed");
+}
+
 /** Return a number with so many significant digits, zeros at its end too. */
 export function digits__every_digit(number, digits) {
   if (number === 0.0 || !Number.isFinite(number)) {
@@ -113,6 +153,27 @@ export function digits__every_digit(number, digits) {
   return -4 <= power && power < 12 ? decimal(Number(text), max(0, digits - 1 - power)) : text;
 }
 
+/** Return ``number ± error``: the number to three digits, the error to the same place. */
+export function digits__with_error(number, error) {
+  if (!(Number.isFinite(number) && Number.isFinite(error) && error > 0.0)) {
+    return digits__rounded(number, RESULT_DIGITS);
+  }
+  if (error >= Math.abs(number)) {
+    return digits__every_digit(number, 2) + " ± " + digits__every_digit(error, 2);
+  }
+  let first = exponentOf(scientific(number, _EVERY));
+  let places = max(0, min(1 - exponentOf(scientific(error, _EVERY)), RESULT_DIGITS - 1 - first));
+  if (error < 0.5 * 10.0 ** -places) {
+    places = max(0, GIVEN_DIGITS - 1 - first);
+  }
+  let least = 10.0 ** -places;
+  let shown =
+    error >= 0.5 * least
+      ? digits__decimals(error, places, false)
+      : "< " + digits__decimals(least, places, false);
+  return digits__decimals(number, places, false) + " ± " + shown;
+}
+
 /** Return a number with so many significant digits, rounded up or down. */
 export function digits__rounded_limit(number, digits, up) {
   if (!Number.isFinite(number) || Math.abs(number) < NOTHING) {
@@ -120,6 +181,23 @@ export function digits__rounded_limit(number, digits, up) {
   }
   let shown = digits___stepped(number, digits, up);
   return shown === number ? digits__rounded(number, digits) : digits__every_digit(shown, digits);
+}
+
+/** Return a number without a unit. */
+export function cell___bare(number, digits, form, other) {
+  if (form === "bare error") {
+    return digits__with_error(number, other);
+  }
+  if (form === "bare up") {
+    return digits__rounded_limit(number, digits, true);
+  }
+  if (form === "fixed" || form === "signed") {
+    return digits__decimals(number, digits, form === "signed");
+  }
+  if (form === "grouped" && Number.isFinite(number)) {
+    return grouped(digits__decimals(number, 0, false));
+  }
+  return display__display(number, "number", "si", digits);
 }
 
 export function cell___slow_unit(system) {
@@ -237,14 +315,18 @@ export function cell__cell_text(value, dimension, digits, form, other, system) {
   if (form === "unit") {
     return row.unit;
   }
-  if (form === "percent") {
-    return display__display(100.0 * value, "number", system, digits) + " %";
+  if (form === "percent" || form === "percent fixed" || form === "percent signed") {
+    return cell___share(value, digits, form) + " %";
   }
-  if (form === "bare up") {
-    return digits__rounded_limit(value / row.factor, digits, true);
-  }
-  if (form === "bare") {
-    return display__display(value / row.factor, "number", system, digits);
+  if (
+    form === "bare" ||
+    form === "bare up" ||
+    form === "bare error" ||
+    form === "fixed" ||
+    form === "signed" ||
+    form === "grouped"
+  ) {
+    return cell___bare(value / row.factor, digits, form, other / row.factor);
   }
   if (form === "apart" || form === "slip apart") {
     return cell___apart(value, dimension, digits, other, system, form === "slip apart");
@@ -275,4 +357,12 @@ export function cell__quantity(value, dimension, digits = 3, name = "") {
 /** Return a share as percent, `NONE` for nan. */
 export function cell__percent(share, digits = 3) {
   return Number.isNaN(share) ? NONE : cellOf(share, "number", digits, "percent");
+}
+
+/** Return a value with so many digits behind the point, `NONE` for nan. */
+export function cell__fixed(value, digits, form = "fixed", dimension = "number", name = "") {
+  if (!Number.isFinite(value)) {
+    return cell__quantity(value, dimension);
+  }
+  return cellOf(value, dimension, digits, form, undefined, name);
 }

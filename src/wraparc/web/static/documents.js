@@ -80,3 +80,8 @@ export function isNumber(x) {
 }
 /** What the glossary has of a quantity. @param {string} name */
 export const term = (name) => app.form.glossary[name];
+
+/** A key figure of an arc, NaN where the page has none of this name.
+ * @param {any} arc @param {string} name @returns {number} */
+export const figureOf = (arc, name) =>
+  arc[name] ?? arc.capacities[name] ?? arc.energy[name] ?? Number.NaN;

@@ -963,7 +963,7 @@ const ENDS = ["entry_tension", "exit_tension"];
 const EFFECTIVE = ["effective_tension", "torque", "power"];
 const ONE_TOO_MANY = "Leave one of them out.";
 const _ALIKE = 1e-6;
-const FEW = "Give two of entry_tension, exit_tension and one of effective_tension, torque, power.";
+const FEW = "Give two of entry_tension, exit_tension, effective_tension (torque, power).";
 
 /** Effective tension of a torque at the shaft of a pulley, 2 M/D [N]. */
 export function load_case__pull_of_torque(torque, diameter) {
@@ -4596,8 +4596,7 @@ export function tension_rules__fault_of(of, inherited, at, force) {
       "",
     );
   }
-  let message =
-    "" + $text(tension_rules__listed(given)) + " are given, and two of them fix the third";
+  let message = "" + $text(tension_rules__listed(given)) + " are one too many";
   let pull = tension_rules__pull_given(of, at);
   let ends = tension_rules__ends_of(of, at);
   if (pull !== null && ends.entry !== null && ends.exit !== null) {
@@ -4605,16 +4604,14 @@ export function tension_rules__fault_of(of, inherited, at, force) {
     if (Math.abs(pull - between) > _ALIKE * Math.abs(between)) {
       message =
         "" +
-        $text(tension_rules__listed(given)) +
-        " contradict each other: entry less exit tension is " +
-        $text(force(between)) +
-        ", " +
         $text(pulls[0]) +
         " makes " +
-        $text(force(pull));
+        $text(force(pull)) +
+        ", the tensions " +
+        $text(force(between));
     }
   }
-  let remedy = "Give two of them in the load case: they replace those of the pulley.";
+  let remedy = "Give two of them in the load case.";
   return new LoadFault(message, inherited ? remedy : ONE_TOO_MANY, "");
 }
 
@@ -4631,10 +4628,9 @@ export function tension_rules__speed_missing(of, at) {
 export function tension_rules__too_few(of) {
   let given = tension_rules__families(of);
   if (given.length === 0) {
-    return new LoadFault("no tensions are given", FEW, "tensions");
+    return new LoadFault("tensions missing", FEW, "tensions");
   }
-  let message =
-    "" + "only " + $text(given[0]) + " is given, and it takes two quantities to fix the tensions";
+  let message = "" + $text(given[0]) + " alone does not fix the tensions";
   return new LoadFault(message, FEW, "tensions");
 }
 

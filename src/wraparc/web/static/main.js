@@ -30,7 +30,7 @@ function draw() {
 /** What takes longer than a second, and a way to end it. */
 const atWork = () =>
   !app.gone && waited() > 0
-    ? [`At work for ${waited()} s `, h("button", { type: "button", onClick: cancel }, "Cancel")]
+    ? [`Calculating for ${waited()} s `, h("button", { type: "button", onClick: cancel }, "Cancel")]
     : null;
 /** What a sheet of paper must say of itself. */
 const PrintHead = () => {
@@ -121,7 +121,7 @@ begin().catch((x) => {
   else console.error(x);
   const denied = x instanceof Refused && x.status === 401;
   const message = denied
-    ? "This calculator asks for a token: open it with the link that the server printed " +
+    ? "This calculator requires a token: open it with the link that the server printed " +
       "(…/?token=…)."
     : x.message;
   render(h("p", { class: "verdict bad", role: "alert" }, message), box("main"));

@@ -3,7 +3,7 @@
 import { answer__operating_point, compression__block_modulus, compression__shape_factor, load_case__exit_behind, load_case__resultant, pitch__centrifugal_force, pull__idles, summary__available, summary__geometry_of, summary__held_creep, summary__overrun_loosens, summary__recovery_compliance, summary__spring_rate, summary__too_steep, tension_rules__behind_take_up, tension_rules__effective_keys, tension_rules__ends_of, tension_rules__families, tension_rules__fault_of, tension_rules__filled, tension_rules__less_runs, tension_rules__overridden, tension_rules__pull_given, tension_rules__speed_missing, tension_rules__too_few } from "./kernel.js";
 import { cell__percent, cell__quantity } from "./cells.js";
 import { cellOf } from "./base/digits.js";
-import { belts, isNumber, laggingNames, laggingText, overridden, parsed, readText, term } from "./documents.js";
+import { belts, figureOf, isNumber, laggingNames, laggingText, overridden, parsed, readText, term } from "./documents.js";
 import { $Decimal, $Dict, $Error, $KeyError, $Object, $OverflowError, $StopIteration, $Tuple, $TypeError, $ValueError, $add, $and, $at, $b, $bound, $call, $common, $eq, $fields, $format, $in, $iter, $k, $kept, $m, $made, $map, $math, $merged, $method, $mul, $named, $neg, $once, $or, $pow, $put, $re, $replaced, $repr, $shown, $sig, $slice, $str, $sub, $told, $truth } from "./python.js";
 function drive_file__drive_from_document(document, file = "", folder = "", overrides = [], allow_paths = false) {
 let belt, belt_record, cases, conditions, conveyor, criteria, laggings, message, own, parts, pulleys, record, records, report;
@@ -12,8 +12,8 @@ let belt, belt_record, cases, conditions, conveyor, criteria, laggings, message,
 if (($in("train", document))) {
 source__check_format(document, file);
 (report = new Report(file));
-(message = "a train of drives on one belt, which is no plain drive");
-report.add(["train"], message, "Read it with wraparc.load_train or wraparc.load_drive.");
+(message = "is of a train, no single drive");
+report.add(["train"], message, "Use wraparc.load_train.");
 report.raise_all();
 }
 ([record, report] = source__read_tables($cca53, document, file));
@@ -49,7 +49,7 @@ if (($truth(whole) && (1 <= given && given <= 1))) {
 return null;
 }
 if (($truth(whole) && (given > 1))) {
-(message = ("" + "the file is of a newer format; this version of wraparc reads up to " + $str(1)));
+(message = ("" + "must be at most " + $str(1) + " for this version of wraparc"));
 (remedy = "Update wraparc.");
 } else {
 ([message, remedy] = ["must be a whole number from 1", ("" + "Write format = " + $str(1) + ".")]);
@@ -136,12 +136,12 @@ return made;
 }
 function tables__unknown_key_remedy(key, known) {
 
-return $or(errors__nearest(key, known), () => ("" + "The keys here are " + $str($m.join(", ", known)) + "."));
+return $or(errors__nearest(key, known), () => ("" + "Write one of " + $str(errors__format_list([...$iter(known)])) + "."));
 }
-function errors__nearest(given, known) {
+function errors__nearest(given, known, most = 3) {
 let texts;
 
-(texts = [...(function* () { for (const word of $iter(errors__near(given, known))) { yield $shown(word); } })()]);
+(texts = [...(function* () { for (const word of $iter(errors__near(given, known, most))) { yield $shown(word); } })()]);
 return ($truth(texts) ? ("" + "Did you mean " + $str($m.join(" or ", texts)) + "?") : "");
 }
 function errors__near(given, known, most = 3) {
@@ -184,6 +184,15 @@ return 0;
 (first = errors___alike($slice(one, null, at), $slice(other, null, there)));
 return $add($add(first, size), errors___alike($slice(one, $add(at, size), null), $slice(other, $add(there, size), null)));
 }
+function errors__format_list(texts, most = 6) {
+let more;
+
+(more = $sub($b.len(texts), most));
+if ((more <= 1)) {
+return $m.join(", ", texts);
+}
+return ("" + $str($m.join(", ", $slice(texts, null, most))) + " and " + $str(more) + " more");
+}
 function origins__own_provenance(record, report) {
 let table;
 
@@ -209,8 +218,8 @@ let by_plain, remedy, texts;
 
 (by_plain = $map([...(function* () { for (const k of $iter(known)) { yield [$once(loader___plain, $kept_loader___plain)(k), k]; } })()]));
 (texts = [...(function* () { for (const key of $iter(errors__near($once(loader___plain, $kept_loader___plain)(name), by_plain))) { yield $shown($at(by_plain, key)); } })()]);
-(remedy = ($truth(texts) ? ("" + "Did you mean " + $str($m.join(" or ", texts)) + "?") : ""));
-return errors__input_error(("" + "the catalogue has no " + $str(what) + " of this name"), $m.strip(("" + $str(remedy) + " The command `" + $str(command) + "` lists them.")), undefined, undefined, $shown(name));
+(remedy = ($truth(texts) ? ("" + "Did you mean " + $str($m.join(" or ", texts)) + "?") : ("" + "List them: " + $str(command) + ".")));
+return errors__input_error(("" + "the catalogue has no " + $str(what) + " of this name"), remedy, undefined, undefined, $shown(name));
 }
 function drive_build___preset_mass(record, preset) {
 let known;
@@ -349,7 +358,7 @@ let distance, end, key, message, problems, remedy;
 for ([end, key] of $iter([[before, "before"], [after, "after"]])) {
 (distance = $math.hypot($sub(end.x, pulley.x), $sub(end.y, pulley.y)));
 if (((distance < ($add(end.diameter, pulley.diameter) / 2.0)) || ($eq(distance, 0.0)))) {
-(message = ("" + "its centre is only " + $str(display__display(distance, "length")) + " from that of the pulley, and the two overlap"));
+(message = ("" + "overlaps the pulley: their centres are " + $str(display__display(distance, "length")) + " apart"));
 (remedy = "Check the coordinates and the diameters.");
 $m.append(problems, new Problem(message, remedy, undefined, key));
 }
@@ -476,23 +485,23 @@ if ($truth($m.match($ccb7f, stripped))) {
 return numbers___refused(text, "not a finite number", "Give the size that was measured or meant.");
 }
 if ($truth($b.any((function* () { for (const c of $iter(stripped)) { yield $and($m.isdecimal(c), () => !$truth($m.isascii(c))); } })()))) {
-return numbers___refused(text, "digits other than 0-9", "Type digits and a decimal point, such as 1234.5.");
+return numbers___refused(text, "digits other than 0-9", "Write digits and a decimal point: 1234.5.");
 }
 if (($in(",", digits))) {
-(message = "a comma can mean a decimal point or a thousands separator");
+(message = "a comma can mean decimal point or thousands separator");
 return numbers___refused(text, message, numbers___write(numbers___comma_readings(digits), rest));
 }
 if (($truth($m.search($ced43, digits)) && (!$in("/", digits)))) {
-(message = "digits in groups can be read as one number or as several");
+(message = "digits in groups can be one number or several");
 return numbers___refused(text, message, numbers___write([$m.sub($ced43, "", digits)], rest));
 }
 if (($in("/", digits))) {
-return numbers___refused(text, "a fraction, where a decimal number is needed", "Type digits and a decimal point, such as 1234.5.");
+return numbers___refused(text, "a fraction, where a decimal number is needed", "Write digits and a decimal point: 1234.5.");
 }
 if (($in("−", digits))) {
 return numbers___refused(text, "a typographic minus sign", "Use the plain hyphen-minus '-'.");
 }
-return numbers___refused(text, "not a plain number", "Type digits and a decimal point, such as 1234.5.");
+return numbers___refused(text, "not a plain number", "Write digits and a decimal point: 1234.5.");
 }
 function numbers___comma_readings(digits) {
 let _, bare_whole, decimal, decimals, exponent, joined, power, readings, whole;
@@ -511,7 +520,7 @@ return [...(function* () { for (const reading of $iter(readings)) { yield $add(r
 }
 function numbers___write(readings, rest) {
 if (!$truth($b.all((function* () { for (const reading of $iter(readings)) { yield $m.fullmatch($c7c8f, reading); } })()))) {
-return "Type digits and a decimal point, such as 1234.5.";
+return "Write digits and a decimal point: 1234.5.";
 }
 return $add($add("Write ", $m.join(" or ", (function* () { for (const r of $iter(readings)) { yield $shown($m.strip(("" + $str(r) + " " + $str(rest)))); } })())), ".");
 }
@@ -531,7 +540,7 @@ try {
 } catch ($error) {
 if ($error instanceof _UnitTextError) {
 error = $error;
-throw parse___refused(given, $b.str(error), $bound(error, "remedy"));
+throw parse___refused(given, $b.str(error), $or(error.remedy, () => parse___meant(text, error, dimension)));
 } else throw $error;
 }
 if ((!$eq(unit.powers, $once(parse___powers, $kept_parse___powers)(dimension)))) {
@@ -542,6 +551,20 @@ throw parse___refused(given, message, ("" + "Write for example " + $str($shown($
 }
 return unit;
 }
+function parse___meant(text, error, dimension) {
+let compound, fits, powers;
+
+([powers, compound] = [$once(parse___powers, $kept_parse___powers)(dimension), (!$eq($m.strip(text), error.name))]);
+(fits = [...(function* () { for (const name of $iter(error.meant)) { if (!(($truth(compound) || ($eq($at($once(parse___units, $kept_parse___units)(), name).powers, powers))))) continue; yield name; } })()]);
+if ($truth(fits)) {
+return ("" + "Did you mean " + $str($m.join(" or ", $slice(fits, null, 2))) + "?");
+}
+return ("" + "Write for example " + $str($shown($bound($at($c22c8, dimension), "example"))) + ".");
+}
+function parse___powers(dimension) {
+return $once(parse___resolve, $kept_parse___resolve)($bound($at($c22c8, dimension), "si_unit")).powers;
+}
+const $kept_parse___powers = new Map();
 function parse___resolve(text) {
 return parse___evaluate(text, $once(parse___units, $kept_parse___units)());
 }
@@ -567,7 +590,7 @@ return $at(known, plain);
 }
 (match = (($b.len(plain) <= 40) ? $m.fullmatch($c0fad, plain) : null));
 if ((match == null)) {
-throw new _UnitTextError(("" + "the unit " + $str($shown(text)) + " cannot be read"), "Write a product of units with at most one '/', a product below it in brackets: \"kN/m\", \"N m\", \"mm3/(N m)\".");
+throw new _UnitTextError(("" + "the unit " + $str($shown(text)) + " cannot be read"));
 }
 ([over, under] = [$or($at(match, "over"), () => ""), $or($at(match, "one"), () => $or($at(match, "under"), () => ""))]);
 (factors = [...(function* () { for (const [name, power] of $iter($m.findall($c09cc, over))) { yield [name, $b.int($or(power, () => 1))]; } })()]);
@@ -588,23 +611,15 @@ throw new _UnitTextError(message, "Use K.");
 return product;
 }
 function parse___named(name, known) {
-let meant, remedy, same_but_case, unit;
+let meant, same_but_case, unit;
 (unit = $m.get(known, name));
 if ((unit != null)) {
 return unit;
 }
 (same_but_case = [...(function* () { for (const other of $iter(known)) { if (!(($eq($m.casefold(other), $m.casefold(name))))) continue; yield other; } })()]);
-(meant = $or(same_but_case, () => errors__near(name, known, 2)));
-(remedy = "The units are listed in the documentation; case matters.");
-if ($truth(meant)) {
-(remedy = $add($add("Did you mean ", $m.join(" or ", meant)), "?"));
+(meant = $b.tuple($or(same_but_case, () => errors__near(name, known, 8))));
+throw new _UnitTextError(("" + "unknown unit " + $str($shown(name))), "", name, meant);
 }
-throw new _UnitTextError(("" + "unknown unit " + $str($shown(name))), remedy);
-}
-function parse___powers(dimension) {
-return $once(parse___resolve, $kept_parse___resolve)($bound($at($c22c8, dimension), "si_unit")).powers;
-}
-const $kept_parse___powers = new Map();
 function parse__dimension_of(unit) {
 let powers;
 
@@ -916,7 +931,7 @@ function tensions___force(value) {
 return display__display(value, "force");
 }
 function tensions___made(item, entry, exit_, report) {
-let key, made, message, place, pulls, remedy, side, tension, told, what, why;
+let key, made, message, place, pulls, remedy, side, tension, told, why;
 (pulls = tension_rules__effective_keys($bound(item, "values")));
 try {
 (told = $m.join(" and ", (function* () { for (const key of $iter(pulls)) { yield $m.strip(("" + $str($m.replace(key, "_", " ")) + " " + $str($m.get(item.raw, key, "")))); } })()));
@@ -928,9 +943,8 @@ if ($error instanceof InputError) {
 ([side, tension] = ((exit_ <= 0.0) ? ["exit", exit_] : ["entry", entry]));
 (key = $b.next((function* () { for (const k of $iter(pulls)) { if (!((!$in(k, item.inherited)))) continue; yield k; } })(), ""));
 (place = ($truth(key) ? [...$iter(item.place), key] : item.place));
-(what = ((tension <= 0.0) ? "a belt cannot push" : "no belt carries that"));
-(message = ("" + "leaves an " + $str(side) + " tension of " + $str(display__display(tension, "force")) + ", and " + $str(what)));
-(remedy = "Give a smaller pull or a larger tension on the slack side.");
+(message = ("" + "leaves an " + $str(side) + " tension of " + $str(display__display(tension, "force"))));
+(remedy = "Lower Te, or raise T2.");
 report.add(place, message, remedy, ...$iter(($truth(key) ? [$at(item.raw, key)] : [])));
 return null;
 } else throw $error;
@@ -969,12 +983,12 @@ let conveyor, given, mass, message, pulleys, remedy, states;
 (pulleys = [...(function* () { for (const item of $iter($or($m.get(record, "pulley"), () => []))) { if (!($truth($b.isinstance(item, Record)))) continue; yield item; } })()]);
 conveyor_build___refuse_tensions(record, pulleys, report);
 if ($truth(take_up.fixed)) {
-(message = "a fixed take-up holds another tension in every load case, and [conveyor] has one");
-(remedy = "Give the tensions of each load case instead of [conveyor].");
+(message = "a fixed take-up does not go with [conveyor]");
+(remedy = "Give tensions of each load case.");
 report.add(["take_up", "kind"], message, remedy, $bound(take_up, "kind"));
 }
 if (($b.len($or($m.get(record, "pulley"), () => [])) > 1)) {
-(message = ("" + "gives the tensions of one drive pulley, and there are " + $str($b.len($at(record, "pulley")))));
+(message = ("" + "goes with one drive pulley, not " + $str($b.len($at(record, "pulley")))));
 report.add(["conveyor"], message, "Put the tensions of a train into [train].");
 }
 (given = $m.get(record, "conveyor"));
@@ -982,7 +996,7 @@ if (!$truth($b.isinstance(given, Record))) {
 return [null, []];
 }
 if ($truth(take_up.after)) {
-(message = "the [conveyor] table says where its take-up stands, take_up_distance");
+(message = "contradicts take_up_distance of [conveyor]");
 report.add(["take_up", "after"], message, "Leave it out.", $bound(take_up, "after"));
 }
 (mass = ((belt == null) ? null : belt.mass));
@@ -1038,7 +1052,7 @@ let example, first, key, message, problems, remedy, second;
 (problems = []);
 for ([first, second, example] of $iter($cbf28)) {
 if ((($in(first, given)) && ($in(second, given)))) {
-(message = ("" + $str(first) + " and " + $str(second) + " both say the same"));
+(message = ("" + "means the same as " + $str(first)));
 $m.append(problems, new Problem(message, "Leave one of them out.", undefined, second));
 } else {
 if (((!$eq(example, "")) && (!$in(first, given)) && (!$in(second, given)))) {
@@ -1089,7 +1103,7 @@ let force;
 if ((force < least)) {
 return [];
 }
-return [new Problem(("" + "the belt presses on no pulley: m v^2 = " + $str(display__display(force, "force")) + ", with a mass of " + $str(display__display($or(belt.mass, () => 0.0), "mass_per_length")) + ", and its least tension is " + $str(display__display(least, "force"))), "Give the mass of a metre of belt, not that of the whole belt.", undefined, key)];
+return [new Problem(("" + "m v^2 = " + $str(display__display(force, "force")) + " of the belt exceeds its tension " + $str(display__display(least, "force"))), "Give the mass of one metre of belt.", undefined, key)];
 }
 function pitch__centrifugal_of(belt) {
 
@@ -1103,7 +1117,7 @@ function drive__side_problems(belt, pulleys) {
 if ($truth($b.all((function* () { for (const key of $iter([...$iter($c2d22), "thickness"])) { yield ($b.getattr(belt, key) == null); } })()))) {
 return [];
 }
-return [...(function* () { for (const pulley of $iter(pulleys)) { if (!((($eq(pulley.side, "carry")) && $truth($math.isnan(pitch__touching_cover(pitch__layers_of(belt), true)))))) continue; yield new Problem("the pulley meets the carry side, and carry_cover of the belt is not given", "Give carry_cover = \"5 mm\" in [belt], or thickness with the other layers.", undefined, ("" + "pulley." + $str(pulley.name) + ".side"), $shown($bound(pulley, "side"))); } })()];
+return [...(function* () { for (const pulley of $iter(pulleys)) { if (!((($eq(pulley.side, "carry")) && $truth($math.isnan(pitch__touching_cover(pitch__layers_of(belt), true)))))) continue; yield new Problem("needs carry_cover of the belt", "Write carry_cover = \"5 mm\" in [belt].", undefined, ("" + "pulley." + $str(pulley.name) + ".side"), $shown($bound(pulley, "side"))); } })()];
 }
 function conditions__in_each_condition(cases, conditions) {
 let case_, found, names, split;
@@ -1137,7 +1151,7 @@ return Train.of(drive);
 (pulleys = [...(function* () { for (const item of $iter(records)) { yield drive_build__build_pulley(item, laggings, conditions, report); } })()]);
 file___refuse_pulley_tensions(record, records, report);
 if (($in("conveyor", record))) {
-(message = "gives the tensions of one drive, and those of a train stand in [train]");
+(message = "contradicts the tensions in [train]");
 report.add(["conveyor"], message, "Leave one of them out.");
 }
 (criteria = drive_build__build_criteria(record, belt, report));
@@ -1318,7 +1332,7 @@ function in_page_checks__result_of(arc, found) {
 let of;
 
 (of = found.summary);
-return new FoundArc(($truth($told($c4a3b, found, "solved")) ? "The pulley carries its load." : "Breakaway: no creep makes enough friction for this tension ratio. Raise the slack-side tension (take-up), enlarge the wrap angle, or choose a lagging with more friction."), "distributed", arc, null, of.entry_tension, of.exit_tension, of.exit_creep, of.creep_shrinkage, of.creep_compression, of.creep_global, of.exit_slip, of.entry_creep_ratio, of.exit_creep_ratio, of.peak_shear_stress, of.peak_shear_angle, of.peak_shear_position, of.mean_friction, of.active_arc, of.outside_tested_share, of.stuck_arc, found.capacities, of, found);
+return new FoundArc(($truth($told($cc303, found, "solved")) ? "The pulley transmits its load." : "Gross slip: no creep gives enough friction for this tension ratio. Raise the slack-side tension (take-up), increase the wrap angle, or choose a lagging with more friction."), "distributed", arc, null, of.entry_tension, of.exit_tension, of.exit_creep, of.creep_shrinkage, of.creep_compression, of.creep_global, of.exit_slip, of.entry_creep_ratio, of.exit_creep_ratio, of.peak_shear_stress, of.peak_shear_angle, of.peak_shear_position, of.mean_friction, of.active_arc, of.outside_tested_share, of.stuck_arc, found.capacities, of, found);
 }
 function in_page_checks__train_drive(train, case_, pairs) {
 
@@ -1348,7 +1362,7 @@ return $replaced(drive, new Map([["load_cases", $b.tuple($slice([...$iter(cases)
 function in_page_checks__remarks_of(drive, verdict) {
 let left;
 
-(left = (function* () { for (const of of $iter(drive.laggings)) { if (!(($truth(of.fit) && $truth(of.fit.knots)))) continue; yield $m.format("The interval of the creep that the fit of {} leaves is not found in this page; wraparc solve tells it.", [$bound(of, "name")], $map([])); } })());
+(left = (function* () { for (const of of $iter(drive.laggings)) { if (!(($truth(of.fit) && $truth(of.fit.knots)))) continue; yield $m.format("The interval of the creep that the fit of {} leaves is not calculated in this page, but by wraparc solve.", [$bound(of, "name")], $map([])); } })());
 return [...$iter(verdict.remarks), ...$iter($b.fromkeys(left))];
 }
 function in_page_checks__weak_kinds(drive) {
@@ -1367,7 +1381,7 @@ let friction, law, untested, words;
 ([law, friction] = [$b.str($bound(lagging.source_of("law"), "kind")), ("" + "The friction of " + $str(lagging.name) + " is")]);
 (words = (($in(law, $cf933)) ? [("" + $str(friction) + " " + $str($at($cf933, law)) + ".")] : []));
 (untested = (lagging.law.tested == null));
-(words = $add(words, ($truth(untested) ? [("" + $str(friction) + " given without tests.")] : [])));
+(words = $add(words, ($truth(untested) ? [("" + $str(friction) + " without tests.")] : [])));
 return [[law, ...$iter(($truth(untested) ? ["untested"] : []))], words];
 }
 function* of_data__weak_sources(drive, pulley) {
@@ -1458,12 +1472,12 @@ function* of_train__of_case(train, case_) {
 let driven, driven_by, helps, lost, motors, overrun, place, several;
 
 (place = new Place("", $bound(case_.case, "name")));
-if (($truth(case_.adrift) || ($in(case_.status, ["No operating point: a motor would have to work beyond its curve. Change its set speed or gear, or choose another motor.", "The solver did not reach its accuracy on this train. Please report the drive file; until then change a value slightly."])))) {
+if (($truth(case_.adrift) || ($in(case_.status, ["No operating point: a motor would have to work outside its curve. Change its set speed or gear, or choose another motor.", "The solver did not reach its accuracy on this train. Please report the drive file; until then change a value slightly."])))) {
 (overrun = $b.any((function* () { for (const [m, motor] of $iter($b.zip($bound(case_, "members"), of_train___motors($bound(case_, "case")), $k({strict: false})))) { if (!($truth($b.isinstance(motor, Motor)))) continue; yield $and((m.motor != null), () => $and((m.motor.motor_load < 0.0), () => !$truth(motor.brakes))); } })()));
 yield of_train__operating_point($bound(case_, "status"), $bound(case_, "reason"), place, overrun);
 }
 (several = ($b.len($bound(case_, "members")) > 1));
-if (!$truth($told($c4a3b, case_.status, "solved"))) {
+if (!$truth($told($cc303, case_.status, "solved"))) {
 yield* $iter(($truth(several) ? of_train__not_working(place) : []));
 return null;
 }
@@ -1687,7 +1701,7 @@ function of_arc__of_sliding(drive, case_, result, found) {
 let check, factor, gone, lagging, place, rule, safety, take_up, tested, text, value, why;
 
 ([safety, take_up] = [drive.criteria.safety, drive.criteria.take_up]);
-([rule, factor, gone] = [$c84c4, safety.of($bound(case_, "kind")), !$truth($told($c4a3b, result.status, "solved"))]);
+([rule, factor, gone] = [$c84c4, safety.of($bound(case_, "kind")), !$truth($told($cc303, result.status, "solved"))]);
 (place = new Place($bound(result.arc, "pulley"), $bound(case_, "name")));
 if (($truth($math.isnan($bound(found, "place"))) && !$truth(gone))) {
 (why = "gross slip not located");
@@ -1699,7 +1713,7 @@ if ($truth(tested)) {
 }
 (lagging = check__escaped($bound(drive.pulley($bound(result.arc, "pulley")).lagging, "name")));
 (value = ($truth(gone) ? $b.min($bound(found, "place"), 0.999) : found.place));
-(text = new CheckText("Gross-slip safety", "gross-slip safety", ($truth(tested) ? "Slip leaves the tested range at {value} times Te, minimum {limit}" : "Gross-slip safety {value} is below the {limit} minimum"), "Gross slip: safety {safety} is below {one}", undefined, ("" + $str($m.replace($at($c48c7, found.cause), "⟦lagging⟧", lagging)) + " Safety factor " + $str(case_.kind) + ", " + $str(of_arc__constant_words(take_up)) + "."), ($truth(tested) ? "slip beyond tests" : "gross slip"), ("" + "safety factor " + $str(case_.kind) + ": " + $str($or(safety.source, () => "default of wraparc"))), $map([["slides", new Amount(0.0635, "length")], ["safety", new Amount(value, "number")], ["one", new Amount(1.0, "number")]])));
+(text = new CheckText("Gross-slip safety", "gross-slip safety", ($truth(tested) ? "Slip leaves the tested range at {value} times Te, minimum {limit}" : "Gross-slip safety {value} is below the {limit} minimum"), "Gross slip: safety {safety} is below {one}", undefined, ("" + $str($m.replace($at($c48c7, found.cause), "⟦lagging⟧", lagging)) + " Safety factor " + $str(case_.kind) + ", " + $str(of_arc__constant_words(take_up)) + "."), ($truth(tested) ? "slip outside tests" : "gross slip"), ("" + "safety factor " + $str(case_.kind) + ": " + $str($or(safety.source, () => "default of wraparc"))), $map([["slides", new Amount(0.0635, "length")], ["safety", new Amount(value, "number")], ["one", new Amount(1.0, "number")]])));
 (check = rule.compare(value, factor, place, text));
 return ($truth(gone) ? $replaced(check, new Map([["level", "FAILS"], ["headline", "Gross slip: safety {safety} is below {one}"]])) : check);
 }
@@ -1716,7 +1730,7 @@ function rules__spot_of(drive, case_, pulley, result = null) {
 let belt, driving, first, known, last, slack, tensions;
 
 ([tensions, belt] = [$at(case_.tensions, pulley.name), drive.belt]);
-(known = $and((result != null), () => $told($c4a3b, result.status, "solved")));
+(known = $and((result != null), () => $told($cc303, result.status, "solved")));
 ([first, last] = [$at(drive.pulleys, 0), $at(drive.pulleys, $neg(1))]);
 (driving = ($at(case_.tensions, first.name).entry >= $at(case_.tensions, last.name).exit));
 (slack = ($truth(driving) ? last : first));
@@ -1775,7 +1789,7 @@ return null;
 (what = ($truth(fixed) ? "T1 + T2" : what));
 (other = (($truth(fixed) || $truth(after)) ? "" : of_drive___steady(drive)));
 (named = [...(function* () { for (const name of $iter([low, high])) { yield new Place(undefined, name); } })()]);
-yield new Check("take_up", "Take-up tension", "ATTENTION", undefined, undefined, "take-up tension", undefined, undefined, undefined, undefined, undefined, ("" + $str($m.capitalize(kind)) + " take-up needs equal " + $str(what) + ": " + $str(check__escaped($b.str($at(named, 0)))) + " has {least}, " + $str(check__escaped($b.str($at(named, 1)))) + " has {most}"), ("" + "Set equal " + $str(what) + ", or correct take_up.kind or after."), ($truth(other) ? ("" + "Behind " + $str(check__escaped(other)) + " the tension is equal in every load case.") : ""), "take-up tension", ("" + "take-up " + $str(kind) + ", as given"), undefined, undefined, $map([["least", new Amount($at(tensions, low), "force")], ["most", new Amount($at(tensions, high), "force")]]), false);
+yield new Check("take_up", "Take-up tension", "ATTENTION", undefined, undefined, "take-up tension", undefined, undefined, undefined, undefined, undefined, ("" + $str($m.capitalize(kind)) + " take-up needs equal " + $str(what) + ": " + $str(check__escaped($b.str($at(named, 0)))) + " has {least}, " + $str(check__escaped($b.str($at(named, 1)))) + " has {most}"), ("" + "Set equal " + $str(what) + ", or correct take_up.kind or after."), ($truth(other) ? ("" + "Behind " + $str(check__escaped(other)) + " the tension is equal in every load case.") : ""), "take-up tension", ("" + "take-up " + $str(kind) + ", input"), undefined, undefined, $map([["least", new Amount($at(tensions, low), "force")], ["most", new Amount($at(tensions, high), "force")]]), false);
 }
 function alike__falling(items, key) {
 let every, numbers, rounded, step;
@@ -2594,7 +2608,7 @@ return new Table(title, rows, $c80d9, undefined, "checks");
 function words__short(result, arc) {
 let worst;
 
-if ((arc.status === "Breakaway: no creep makes enough friction for this tension ratio. Raise the slack-side tension (take-up), enlarge the wrap angle, or choose a lagging with more friction.")) {
+if ((arc.status === "Gross slip: no creep gives enough friction for this tension ratio. Raise the slack-side tension (take-up), increase the wrap angle, or choose a lagging with more friction.")) {
 return ("" + $str("FAILS") + " gross slip");
 }
 (worst = judge__judge(result).at($bound(arc.arc, "pulley"), $bound(arc.arc, "load_case")).governing);
@@ -2610,15 +2624,14 @@ let worst;
 return ((worst == null) ? 0.0 : $b.max($neg(1000000000000.0), $b.min($at(worst.order, 1), 1000000000000.0)));
 }
 function drive_sheet__summary_table(results, whole) {
-let arc, brakes, heads, method, of, result, rows, title, values;
+let arc, brakes, heads, of, result, rows, title, values;
 
 (brakes = $b.any((function* () { for (const result of $iter(results)) { for (const arc of $iter(result)) { yield (arc.arc.side < 0.0); }} })()));
 (heads = [sheet__headed("T1", "force"), sheet__headed("T2", "force"), "T1/T2", sheet__headed("creep", "length"), "of limit", sheet__headed(($truth(brakes) ? "min. T1" : "min. T2"), "force"), ""]);
 (rows = []);
 for ([result, of] of $iter($b.zip(results, [whole, ...$iter($slice(results, 1, null))], $k({strict: true})))) {
 for (arc of $iter(result)) {
-(method = (($b.len(results) > 1) ? ("" + ", " + $str($at($c9028, arc.method))) : ""));
-(title = ("" + $str(arc.arc.load_case) + ": " + $str(arc.arc.pulley) + $str(method)));
+(title = drive_sheet___title_of(arc, ($b.len(results) > 1)));
 (values = [...$iter(drive_sheet___summary_values(result, arc)), words__short(of, arc)]);
 $m.append(rows, new Row(title, values, undefined, undefined, undefined, words__level_of(of, arc)));
 }
@@ -2632,6 +2645,12 @@ return (($eq(dimension, "number")) ? words : ("" + $str(words) + " [" + $str(cel
 function cell__unit_of(dimension) {
 
 return cellOf(0.0, dimension, undefined, "unit");
+}
+function drive_sheet___title_of(arc, several) {
+let method;
+
+(method = ($truth(several) ? ("" + ", " + $str($at($c9028, arc.method))) : ""));
+return ("" + $str(arc.arc.load_case) + ": " + $str(arc.arc.pulley) + $str(method));
 }
 function drive_sheet___summary_values(of, result) {
 let arc;
@@ -2698,13 +2717,13 @@ let carried, case_, drive, first, found, lagging, solved;
 ([first, drive] = [$at(results, 0), result.drive]);
 (case_ = drive.load_case($bound(first.arc, "load_case")));
 (lagging = drive.pulley($bound(first.arc, "pulley")).lagging_in($bound(case_, "condition")));
-(solved = $b.tuple((function* () { for (const other of $iter(results)) { if (!($truth($told($c4a3b, other.status, "solved")))) continue; yield other; } })()));
-(carried = $told($c4a3b, first.status, "solved"));
+(solved = $b.tuple((function* () { for (const other of $iter(results)) { if (!($truth($told($cc303, other.status, "solved")))) continue; yield other; } })()));
+(carried = $told($cc303, first.status, "solved"));
 (found = $map([["answer", ($truth(solved) ? arc_tables__answer_table(solved) : null)], ["creep", ($truth(solved) ? arc_tables__creep_table(solved) : null)], ["capacity", arc_tables__capacity_table(first)], ["margins", in_page_checks__no_table(result, first)], ["comparison", design_values__comparison_table(first, lagging, of)], ["energy", ($truth(carried) ? arc_tables__energy_table(first) : null)], ["loads", drive_sheet__loads_table(new DriveResult(drive, [first]))], ["wear", ($truth(carried) ? in_page_checks__no_table(first, lagging) : null)], ["life", ($truth(carried) ? wear_table__life_table(first, lagging, of) : null)], ["inputs", input_tables__input_table(drive, $bound(first, "arc"), of)]]));
 return $map([...(function* () { for (const [key, table] of $iter($m.items(found))) { if (!((table != null))) continue; yield [key, table]; } })()]);
 }
 function arc_tables__answer_table(results) {
-let first, g, level, note, notes, pressure, rows, share, sides, told, where;
+let first, level, note, notes, pressure, rows, share, sides, told, where;
 
 function row(name, note = "", level = null) {
 let values;
@@ -2717,13 +2736,13 @@ $sig(row, ["name", "note", "level"], false);
 (notes = [("" + $str(share) + ", " + $str(sheet__named("creep_limit", $bound(first.arc, "creep_limit"))))]);
 (notes = $add(notes, ((first.exit_creep < 0.0) ? ["negative: with the belt"] : [])));
 (notes = $add(notes, ($truth((told = arc_tables__creep_interval_text(first))) ? [told] : [])));
-([level, sides] = [arc_tables___creep_level(first), new Set((function* () { for (const r of $iter(results)) { if (!($truth($told($c4a3b, r.status, "solved")))) continue; yield r.within_creep_limit; } })())]);
+([level, sides] = [arc_tables___creep_level(first), new Set((function* () { for (const r of $iter(results)) { if (!($truth($told($cc303, r.status, "solved")))) continue; yield r.within_creep_limit; } })())]);
 if (($b.len(sides) > 1)) {
-$m.append(notes, "the methods stand on different sides of it");
+$m.append(notes, "the methods differ in whether it passes");
 (level = ((level === "OK") ? "ATTENTION" : level));
 }
 (where = ("" + "at " + $str(sheet__named("peak_shear_position", $bound(first, "peak_shear_position"))) + " from the entry"));
-(pressure = new Row("Wrap pressure, entry to exit", arc_tables___values(results, arc_tables___pressures), "p"));
+(pressure = new Row("Wrap pressure, entry to exit", arc_tables___values(results, arc_tables___pressures), "p", undefined, "wrap_pressure"));
 (rows = [row("exit_creep", $m.join("; ", notes), level), row("exit_slip"), row("peak_shear_angle", where), row("peak_shear_stress"), pressure, row("mean_friction", "equivalent constant friction over the whole wrap"), row("active_arc", "exit part over which 99 % of the tension change takes place"), ...$iter((!$truth($math.isnan($bound(first, "k_factor"))) ? [row("k_factor", "belt modulus x width / active arc (equation 7 of the paper)")] : []))]);
 if ($truth($b.any((function* () { for (const result of $iter(results)) { yield result.sticks; } })()))) {
 $m.append(rows, row("stuck_arc", "entry part where the belt does not slip"));
@@ -2731,14 +2750,12 @@ $m.append(rows, row("stuck_arc", "entry part where the belt does not slip"));
 if (!$truth($b.all((function* () { for (const result of $iter(results)) { yield $math.isnan($bound(result, "outside_tested_share")); } })()))) {
 $m.append(rows, arc_tables___outside_row(results));
 }
-if (($eq($b.len(results), 1))) {
-(g = ("" + $str(cell__percent($bound(first, "entry_creep_ratio"))) + " to " + $str(cell__percent($bound(first, "exit_creep_ratio")))));
 (note = "belt slower than the lagging surface, entry to exit");
 if ((first.exit_creep_ratio < 0.0)) {
 (note = "negative: belt faster than the lagging surface, entry to exit");
 }
-$m.append(rows, new Row("Creep ratio", [g], "g", note));
-}
+$m.append(rows, new Row("Creep ratio", arc_tables___values(results, arc_tables___creep_ratios), "g", note, "creep_ratio"));
+(rows = $add(rows, [...(function* () { for (const figure of $iter(key_figures__further_figures())) { yield arc_tables___key_row(results, $bound(figure, "name")); } })()]));
 return new Table(("" + "Result: " + $str(arc_tables__belongs(first))), $b.tuple(rows), arc_tables__heads(results), undefined, "result");
 }
 function sheet__row_of(name, ...values) {
@@ -2767,7 +2784,7 @@ function sheet__between(name, first, last, form = "to") {
 return cellOf(last, $bound(term(name), "dimension"), 3, form, first, name);
 }
 function arc_tables___creep_level(result) {
-if (!$truth($told($c4a3b, result.status, "solved"))) {
+if (!$truth($told($cc303, result.status, "solved"))) {
 return null;
 }
 return ($truth(result.within_creep_limit) ? "OK" : "ATTENTION");
@@ -2790,6 +2807,16 @@ let level, note, outside, texts, title;
 (title = sheet__row_of("outside_tested_share", 0.0).title);
 return new Row(title, texts, "", note, "outside_tested_share", level);
 }
+function arc_tables___creep_ratios(result) {
+return ("" + $str(cell__percent($bound(result, "entry_creep_ratio"))) + " to " + $str(cell__percent($bound(result, "exit_creep_ratio"))));
+}
+function key_figures__further_figures() {
+
+return [...(function* () { for (const figure of $iter($c3b87)) { if (!((!$in(figure.name, $c4e7c)))) continue; yield figure; } })()];
+}
+function arc_tables___key_row(results, name) {
+return sheet__row_of(name, ...$iter((function* () { for (const result of $iter(results)) { yield figureOf(result, name); } })()));
+}
 function arc_tables__belongs(result) {
 
 return ("" + "pulley " + $str(result.arc.pulley) + ", load case " + $str(result.arc.load_case));
@@ -2805,7 +2832,7 @@ function arc_tables__creep_table(results) {
 let name, note, row, rows, texts;
 
 (rows = []);
-for ([name, note] of $iter([["creep_shrinkage", "the belt sheds tension and shortens"], ["creep_compression", "the lagging is squeezed at the entry and recovers"], ["creep_global", "the whole belt slips back: what the friction needs beyond the first two"]])) {
+for ([name, note] of $iter([["creep_shrinkage", "the belt sheds tension and shortens"], ["creep_compression", "the lagging is compressed at the entry and recovers"], ["creep_global", "the whole belt slips back: what the friction needs in addition to the first two"]])) {
 (texts = arc_tables___values(results, ((r) => arc_tables__creep_part(r, name))));
 (row = sheet__row_of(name, 0.0));
 $m.append(rows, new Row($bound(row, "title"), texts, $bound(row, "symbol"), note, name));
@@ -2847,12 +2874,12 @@ $sig(ratio, ["name", "value", "margin", "note"], false);
 (rows = [ratio("creep_limit_capacity", $bound(c, "creep_limit_capacity"), $bound(c, "creep_limit_margin"), "the design number"), row("equivalent_friction", $bound(c, "equivalent_friction"), "compare with design values")]);
 if ((arc.law.tested != null)) {
 (slip = sheet__named("slip", $bound(arc.law.tested, "slip_max")));
-(note = ("" + "slip at the largest tested, " + $str(slip)));
+(note = ("" + "slip at the maximum tested, " + $str(slip)));
 $m.append(rows, ratio("tested_slip_capacity", $bound(c, "tested_slip_capacity"), $bound(c, "tested_slip_margin"), note));
 }
 (gross = arc_tables___gross_note(arc_tables__independent_of_slip($bound(arc, "law")), $bound(c, "gross_slip_creep")));
 $m.append(rows, row("gross_slip_capacity", $bound(c, "gross_slip_capacity"), gross));
-(note = ("" + "Ratios " + $str(tight) + "/" + $str(slack) + " with " + $str(tight) + " held at " + $str(held) + "; margin is the capacity over the actual ratio, " + $str(sheet__named("tension_ratio", actual)) + "."));
+(note = ("" + "Ratios " + $str(tight) + "/" + $str(slack) + " at constant " + $str(tight) + " of " + $str(held) + "; margin is the capacity over the actual ratio, " + $str(sheet__named("tension_ratio", actual)) + "."));
 return new Table("Capacity", $b.tuple(rows), undefined, note, "capacity");
 }
 function arc_tables__independent_of_slip(law) {
@@ -2864,7 +2891,7 @@ if ($truth(plain)) {
 return "the whole wrap slips";
 }
 if ($truth($math.isinf(creep))) {
-return "extrapolated, approached as creep grows without bound";
+return "extrapolated, approached as creep grows to infinity";
 }
 return ("" + "extrapolated, at " + $str(sheet__named("gross_slip_creep", creep)) + " of creep");
 }
@@ -2879,19 +2906,19 @@ let arc, asked, c, given, heads, limit, mean, note, ratio, ratio_head, rows;
 (ratio = ($b.max($bound(arc, "entry_tension"), $bound(arc, "exit_tension")) / given));
 (mean = ($math.log(ratio) / arc.wrap_angle));
 (asked = design_values___texts(mean, ratio, given, ($truth(mean) ? arc.wrap_angle : 0.0)));
-(rows = [new Row("This load, whole wrap slipping", asked)]);
+(rows = [new Row("This load, whole wrap slipping", asked, undefined, undefined, "load")]);
 if (!$truth($math.isnan($bound(c, "equivalent_friction")))) {
 (limit = design_values___texts($bound(c, "equivalent_friction"), $bound(c, "creep_limit_capacity"), $bound(c, "least_exit_tension"), NaN));
-$m.append(rows, new Row("At the creep limit, as computed", limit));
+$m.append(rows, new Row("At the creep limit, as computed", limit, undefined, undefined, "creep_limit"));
 }
 (rows = $add(rows, [...(function* () { for (const classical of $iter(design_values__known(result, lagging))) { yield design_values___design_row(classical, result, of); } })()]));
 if ($truth(lagging.surface)) {
-(note = "Slack side: Cw (T1 - T2) with Cw = 1/(exp(mu phi) - 1). Slipping arc: ln(T1/T2)/mu. Design values are constant and take no account of creep.");
+(note = "T2: Cw (T1 - T2) with Cw = 1/(exp(mu phi) - 1). Slipping arc: ln(T1/T2)/mu. Design values are constant and take no account of creep.");
 } else {
-(note = "The surface of the lagging is not given, so no design values apply.");
+(note = "Surface of the lagging missing: no design values apply.");
 }
 (ratio_head = ((arc.side > 0.0) ? "T1/T2 up to" : "T2/T1 up to"));
-(heads = ["friction", ratio_head, "slack side", "slipping arc"]);
+(heads = ["friction", ratio_head, "T2", "slipping arc"]);
 return new Table("Compared with constant friction", $b.tuple(rows), heads, note, "constant");
 }
 function design_values___texts(mu, ratio, slack, arc) {
@@ -2925,15 +2952,16 @@ function constant_friction__slipping_arc(friction, tension_ratio) {
 return ($b.abs($math.log(tension_ratio)) / friction);
 }
 function design_values___design_row(drive, result, of) {
-let arc, design, high, low, note, slips, standard, title, values;
+let arc, design, high, level, low, note, slips, standard, title, values;
 ([design, arc] = [drive.design, result.arc]);
 (standard = $add($m.upper($at(design.standard, 0)), $slice(design.standard, 1, null)));
 (slips = ($at(drive.slipping_arc, 0) > arc.wrap_angle));
 ([low, high] = design.friction);
-(values = [(($eq(low, high)) ? ("" + $format(low, ("" + ".2f"))) : ("" + $format(low, ("" + ".2f")) + "-" + $format(high, ("" + ".2f")))), design_values___pair("tension_ratio", $bound(drive, "ratio")), design_values___at_least(...$iter(drive.slack_tension)), ($truth(slips) ? "gross slip" : design_values___pair("active_arc", $bound(drive, "slipping_arc")))]);
+(values = [cellOf(high, "number", undefined, "-", low), design_values___pair("tension_ratio", $bound(drive, "ratio")), design_values___at_least(...$iter(drive.slack_tension)), ($truth(slips) ? "gross slip" : design_values___pair("active_arc", $bound(drive, "slipping_arc")))]);
 (note = of.note($bound(design, "provenance")));
 (title = $m.join(", ", (function* () { for (const part of $iter([standard, design.surface, design.condition])) { if (!($truth(part))) continue; yield part; } })()));
-return new Row(title, values, undefined, note, undefined, ($truth(slips) ? "ATTENTION" : null));
+(level = ($truth(slips) ? "ATTENTION" : null));
+return new Row(title, values, undefined, note, "design_value", level);
 }
 function design_values___pair(name, ends) {
 return $call(sheet__between, [name, ...$iter(ends)], [["form", "-"]]);
@@ -2972,10 +3000,10 @@ $m.append(rows, new Row(("" + $str(arc.arc.load_case) + ": " + $str(arc.arc.pull
 }
 (note = "Resultant of the belt tensions for shaft and bearings, from the line of T1 towards that of T2, the weight of the pulley left out. ");
 if ($truth(weighed)) {
-(note = $add(note, ("" + "With the weight (" + $str($m.join(", ", weighed)) + "): most where the belt pulls straight down, least where it pulls straight up; where it pulls level, the root of the sum of both squares. ")));
+(note = $add(note, ("" + "With the weight (" + $str($m.join(", ", weighed)) + "): maximum for a resultant straight down, minimum for one straight up; for a level one the root of the sum of both squares. ")));
 }
 if ((belt.breaking_strength == null)) {
-(note = $add(note, "Safety factor of the belt: its strength is not given."));
+(note = $add(note, "Safety factor of the belt: strength missing."));
 } else {
 (given = cell__quantity(strength, "force_per_width", 4));
 (note = $add(note, ("" + "Safety factor: strength " + $str(given) + " over the larger tension; see the checks.")));
@@ -2999,20 +3027,20 @@ if ((data == null)) {
 return null;
 }
 (passes = cell__quantity($at(data, "passes_per_hour"), "number"));
-(rows = [new Row("Passes of the lagging under the belt", [("" + $str(passes) + " 1/h")])]);
+(rows = [new Row("Passes of the lagging under the belt", [("" + $str(passes) + " 1/h")], undefined, undefined, "passes_per_hour")]);
 (depth = cell__quantity($at(data, "depth"), "length"));
 if (($at(data, "life_hours") != null)) {
 (k = cell__quantity($at(data, "coefficient"), "wear_coefficient"));
 (source = $b.str(lagging.source_of("wear_coefficient")));
-$m.append(rows, new Row("Wear coefficient", [k], undefined, source));
+$m.append(rows, new Row("Wear coefficient", [k], undefined, source, "wear_coefficient"));
 (life = wear_table___life($at(data, "life_hours")));
 (years = ("" + "frictional energy times wear coefficient; a year has " + $format(6000.0, ("" + "g")) + " h of running here"));
-$m.append(rows, new Row(("" + "Life until " + $str(depth) + " is worn off"), [life], undefined, years));
+$m.append(rows, new Row(("" + "Life until " + $str(depth) + " is worn off"), [life], undefined, years, "life"));
 }
 (rows = $add(rows, [...(function* () { for (const vendor of $iter($at(data, "vendors"))) { yield wear_table___vendor_row(vendor, of); } })()]));
 (note = ("" + "Depth that may be worn off: half the thickness, " + $str(depth) + "."));
 if (($at(data, "life_hours") == null)) {
-(note = $add(note, " The life follows from a wear coefficient, which nobody publishes: calibrate it to a measured wear (wraparc field --measured-wear), or give wear_coefficient."));
+(note = $add(note, " The life follows from a wear coefficient, which is not published: calibrate it to a measured wear (wraparc field --measured-wear), or give wear_coefficient."));
 }
 return new Table("Life of the lagging", $b.tuple(rows), undefined, note, "life");
 }
@@ -3020,7 +3048,7 @@ function wear_table___life_of(result, lagging) {
 let depth, energy, k, passes, speed;
 ([speed, depth] = [result.arc.belt_speed, $mul(0.5, lagging.thickness)]);
 (energy = $b.abs($bound(result.energy, "frictional_energy")));
-if (((speed == null) || !$truth($told($c4a3b, result.status, "solved")) || (depth <= 0.0) || !(energy > 1e-09))) {
+if (((speed == null) || !$truth($told($cc303, result.status, "solved")) || (depth <= 0.0) || !(energy > 1e-09))) {
 return null;
 }
 (passes = pitch__turns_an_hour(speed, $add(result.arc.radius, result.arc.offset)));
@@ -3064,10 +3092,11 @@ let ends, high, least, low, most, note, number, years;
 ([low, high] = $at(vendor, "coefficient"));
 (ends = cellOf(high, "wear_coefficient", 3, "to", low));
 ([least, most] = $at(vendor, "years"));
-(years = (($eq(least, most)) ? ("" + "over " + $format(least, ("" + "g"))) : ("" + $format(least, ("" + "g")) + " to " + $format(most, ("" + "g")))));
+(years = cellOf(most, "number", undefined, "to", least));
+(years = (($eq(least, most)) ? ("" + "over " + $str(years)) : years));
 (number = ((of == null) ? "" : of.number(("" + $str("life of a lagging as its vendor states it") + ": " + $str($at(vendor, "source"))))));
 (note = ("" + "whatever the creep; here it would take a wear coefficient of " + $str(ends) + " " + $str(number)));
-return new Row(("" + "Vendor's life, " + $str($at(vendor, "name"))), [("" + $str(years) + " years")], undefined, $m.strip(note));
+return new Row(("" + "Vendor's life, " + $str($at(vendor, "name"))), [("" + $str(years) + " years")], undefined, $m.strip(note), "vendor_life");
 }
 function input_tables__input_table(drive, arc, of) {
 let title;
@@ -3105,8 +3134,8 @@ if ((belt.breaking_strength != null)) {
 yield own("Breaking strength", $bound(belt, "breaking_strength"), "force_per_width", "strength");
 }
 ([least, most] = [belt.least_pulley_diameter, belt.largest_wrap_pressure]);
-yield own("Least drive pulley", least, "length", "least_pulley_diameter");
-yield own("Largest wrap pressure", most, "pressure", "largest_wrap_pressure");
+yield own("Minimum drive pulley", least, "length", "least_pulley_diameter");
+yield own("Maximum wrap pressure", most, "pressure", "largest_wrap_pressure");
 yield own("Momentary tension over rating", $bound(belt, "momentary_factor"), "number", "momentary_factor");
 yield inputs___named(group, "belt_speed", $bound(belt, "speed"), origin("speed"));
 (shear = belt.in_plane_shear_stiffness);
@@ -3178,7 +3207,7 @@ return null;
 for ([key, profile] of $iter($m.items(across.profiles()))) {
 (title = $m.capitalize($m.replace(key, "_", " ")));
 (dimension = (($eq(key, "entry_profile")) ? "force_per_width" : "length"));
-(rows = ("" + "largest less least of " + $str($b.len($bound(profile, "position"))) + " places"));
+(rows = ("" + "maximum less minimum of " + $str($b.len($bound(profile, "position"))) + " places"));
 (size = ($truth(profile.value) ? $sub($b.max($bound(profile, "value")), $b.min($bound(profile, "value"))) : profile.crown));
 (remark = ($truth(profile.value) ? rows : "crown, on radius"));
 yield new Input(group, title, size, dimension, "", origin("across"), remark);
@@ -3231,13 +3260,13 @@ return null;
 }
 if ((of.by_slip_speed != null)) {
 (name = "Friction factor of slip speed, up to");
-(told = ("" + "the least is " + $format(of.of_slip_speed, ("" + ".3g"))));
+(told = ("" + "the minimum is " + $format(of.of_slip_speed, ("" + ".3g"))));
 yield new Input(group, name, $bound(of, "fastest"), "speed", "", $bound(of.by_slip_speed, "source"), told);
 }
 if ((of.by_temperature != null)) {
 (told = ("" + $format(of.of_temperature, ("" + ".3g"))));
 if ((of.temperature == null)) {
-(told = ("" + $str(told) + ", the least of its table: no temperature is given"));
+(told = ("" + $str(told) + ", the minimum of its table: temperature missing"));
 }
 (name = "Friction factor of temperature");
 yield new Input(group, name, told, undefined, undefined, of.by_temperature.source);
@@ -3345,20 +3374,20 @@ return $map([]);
 if ((!$in("thickness", record))) {
 if ($truth(given)) {
 (place = [...$iter(record.place), "thickness"]);
-report.add(place, ("" + "missing, where " + $str($at(given, 0)) + " is given"), "Write thickness = \"12 mm\".");
+report.add(place, ("" + "missing: " + $str($at(given, 0)) + " needs it"), "Write thickness = \"12 mm\".");
 }
 return $map([]);
 }
 if ((($in("compression_modulus", record)) && ($in("block", record)))) {
-(message = "given, and the compression modulus as well");
-report.add([...$iter(record.place), "block"], message, "Keep one of them.");
+(message = "contradicts compression_modulus");
+report.add([...$iter(record.place), "block"], message, "Remove one of them.");
 return $map([]);
 }
 (known = $or(($in("elastic_modulus", record)), () => ($in("shear_modulus", record))));
 if ((!$truth(known) && ($at(record, "thickness") > 0.0))) {
 (place = [...$iter(record.place), "shear_modulus"]);
-(remedy = "Give shear_modulus, or elastic_modulus, of which it is a third.");
-report.add(place, "missing, and the lagging is not rigid", remedy);
+(remedy = "Give shear_modulus or elastic_modulus.");
+report.add(place, "missing for a lagging with thickness", remedy);
 return $map([]);
 }
 (stated = $map([...(function* () { for (const key of $iter($c9095)) { if (!(($in(key, record)))) continue; yield [key, $at(record, key)]; } })()]));
@@ -3371,7 +3400,7 @@ let basis, block, contact, height, least, message, moduli, of, remedy, shape, te
 (shape = $m.get(record, "block", $m.get(record, "replaced_block", $map([]))));
 (height = (($in("height", shape)) ? $map([]) : $map([["height", $at(record, "thickness")]])));
 if ((($in("block", record)) && $truth(height) && ($at(record, "thickness") < least))) {
-(message = ("" + "must be at least " + $str(display__display(least, "length")) + ", the height of its blocks"));
+(message = ("" + "must be at least " + $str(display__display(least, "length")) + " with blocks"));
 (remedy = "Give the thickness, or a lagging without blocks.");
 report.add([...$iter(record.place), "thickness"], message, remedy, $m.get(record.raw, "thickness"));
 return $map([]);
@@ -3499,12 +3528,12 @@ let missing, pressures, slip, speed, there;
 (speed = $m.get(record, "tested_slip_speed"));
 if ((ends != null)) {
 if ((pressures != null)) {
-throw laws___problem("tested_pressure", "the tested pressures are the ends of the knots or pieces", "Leave it out.", $shown($at(record.raw, "tested_pressure")));
+throw laws___problem("tested_pressure", "contradicts the ends of knots or pieces", "Leave it out.", $shown($at(record.raw, "tested_pressure")));
 }
 (pressures = $b.list(ends));
 }
 if (((slip == null) && (speed != null))) {
-throw laws___problem("tested_slip", "missing, where tested_slip_speed is given", "Give both.");
+throw laws___problem("tested_slip", "missing: tested_slip_speed needs it", "Give both.");
 }
 if (((slip == null) && ((pressures == null) || (ends != null)))) {
 return null;
@@ -3514,7 +3543,7 @@ if (((pressures == null) || (slip == null))) {
 if ((slip == null)) {
 ([missing, there] = [there, missing]);
 }
-throw laws___problem(missing, ("" + "missing, where " + $str(there) + " is given"), "Give both or none.");
+throw laws___problem(missing, ("" + "missing: " + $str(there) + " needs it"), "Give both or none.");
 }
 return new TestedRange($at(pressures, 0), $at(pressures, 1), slip, speed);
 }
@@ -3533,7 +3562,7 @@ return new MeasuredTable(undefined, $b.tuple($at(record, "slip")), $b.tuple((fun
 function laws___check_order(rows, key) {
 let problems;
 
-(problems = [...(function* () { for (const [number, [before, row]] of $iter($b.enumerate($b.pairwise(rows), $k({start: 2})))) { if (!(($at(row, "pressure") <= $at(before, "pressure")))) continue; yield new Problem(("" + "not above the pressure of the row before, " + $str($shown($at(before.raw, "pressure")))), "Write the rows in order of rising pressure.", undefined, ("" + $str(key) + "[" + $str(number) + "].pressure")); } })()]);
+(problems = [...(function* () { for (const [number, [before, row]] of $iter($b.enumerate($b.pairwise(rows), $k({start: 2})))) { if (!(($at(row, "pressure") <= $at(before, "pressure")))) continue; yield new Problem(("" + "must be more than " + $str($shown($at(before.raw, "pressure"))) + " of the row before"), "Sort the rows by pressure.", undefined, ("" + $str(key) + "[" + $str(number) + "].pressure")); } })()]);
 laws___raise(problems);
 }
 function laws___raise(problems) {
@@ -3562,7 +3591,7 @@ let error, more, number, pieces, pressure_unit, problems, row, rows, slip_unit;
 (slip_unit = laws___unit(record, "slip_unit", "length", "mm"));
 (pressure_unit = laws___unit(record, "pressure_unit", "pressure", "kPa"));
 (rows = $at(record, "pieces"));
-(problems = [...(function* () { for (const [number, [before, row]] of $iter($b.enumerate($b.pairwise(rows), $k({start: 2})))) { if (!(($b.abs($sub(($at(row, "from") / $at(before, "to")), 1.0)) > 1e-09))) continue; yield new Problem(("" + "not where the piece before ends, " + $str($shown($at(before.raw, "to")))), "Let the pieces follow each other without gap or overlap.", undefined, ("" + "pieces[" + $str(number) + "].from")); } })()]);
+(problems = [...(function* () { for (const [number, [before, row]] of $iter($b.enumerate($b.pairwise(rows), $k({start: 2})))) { if (!(($b.abs($sub(($at(row, "from") / $at(before, "to")), 1.0)) > 1e-09))) continue; yield new Problem(("" + "must be " + $str($shown($at(before.raw, "to"))) + ", the end of the piece before"), "Leave no gap and no overlap.", undefined, ("" + "pieces[" + $str(number) + "].from")); } })()]);
 (pieces = []);
 for ([number, row] of $iter($b.enumerate(rows, $k({start: 1})))) {
 try {
@@ -3581,8 +3610,8 @@ return $call(CoefficientPieces, [], [["pressure", [...$iter((function* () { for 
 function laws___unit(record, key, dimension, example) {
 let error, remedy, unit;
 if ((!$in(key, record))) {
-(remedy = ("" + "Write " + $str(key) + " = \"" + $str(example) + "\" or the unit that A and b were fitted in."));
-throw laws___problem(key, "missing, and A and b mean nothing without it", remedy);
+(remedy = ("" + "Write " + $str(key) + " = \"" + $str(example) + "\", or the unit of their fit."));
+throw laws___problem(key, "missing: A and b need it", remedy);
 }
 (unit = $at(record, key));
 try {
@@ -3618,7 +3647,7 @@ laws___raise(problems);
 return $call(Piece, [], [...trends]);
 }
 function laws___useless_slope(key) {
-return new Problem("missing, and without it friction stays at its peak, whatever the slope", "Give the level that friction falls to.", undefined, key);
+return new Problem("missing: post_peak_slope needs it", "Give the level that friction falls to.", undefined, key);
 }
 function trends__read_trend(text, pressure_unit = 1.0, factor = 1.0) {
 let exponent, single, terms, trend;
@@ -3664,7 +3693,7 @@ return $cfe34;
 }
 const $kept_trends___grammar = new Map();
 function trends___refused(text, message) {
-return errors__input_error(message, "Write it over the pressure p as a polynomial (0.12 - 0.00021 p + 1.4e-7 p^2), a logarithm (-0.31 + 0.042 ln(p)), a power (-1.6 p^-0.45) or an exponential (-0.2 exp(-0.0031 p)).", undefined, undefined, $shown(text));
+return errors__input_error(message, "Write a polynomial, logarithm, power or exponential of p.", undefined, undefined, $shown(text));
 }
 function trends___term(match, text) {
 let coefficient, factor, inner, power;
@@ -3694,7 +3723,7 @@ throw trends___refused(text, "mixes kinds of trend lines");
 (seen = $b.set());
 for (term of $iter(terms)) {
 if ((!$in(term.power, [0, 1, 2, 3]))) {
-throw trends___refused(text, "a power of p that is not 1, 2 or 3 cannot be added to others");
+throw trends___refused(text, "adds a power of p besides 1, 2 and 3");
 }
 if (($in(term.power, seen))) {
 throw trends___refused(text, "has two terms of the same kind");
@@ -3836,7 +3865,7 @@ return laggings;
 }
 function drive_build___at_home(error) {
 
-return new InputError((function* () { for (const problem of $iter(error.problems)) { yield (($truth(problem.key) || $truth(problem.line) || !$truth(problem.file)) ? problem : new Problem(("" + $str(problem.file) + " " + $str(problem.message)), problem.remedy)); } })());
+return new InputError((function* () { for (const problem of $iter(error.problems)) { yield (($truth(problem.key) || $truth(problem.line) || !$truth(problem.file)) ? problem : new Problem(("" + $str(problem.file) + ": " + $str(problem.message)), problem.remedy)); } })());
 }
 function lagging_file__lagging_record(name_or_path, folder, allow_paths) {
 let path, text;
@@ -3846,7 +3875,7 @@ if (!$truth(lagging_file__is_path(name_or_path))) {
 return [$once(lagging_file___catalogue_record, $kept_lagging_file___catalogue_record)(name_or_path, text), ("" + "catalogue lagging " + $str(name_or_path))];
 }
 if (!$truth(allow_paths)) {
-throw errors__input_error("the path of a file cannot be used here", ("" + "Choose one of " + $str($m.join(", ", laggingNames())) + ", or put the lagging into the drive file as a [lagging.NAME] table."), undefined, undefined, $shown(name_or_path));
+throw errors__input_error("cannot be a path here", "Write a catalogue name, or add a [lagging.NAME] table.", undefined, undefined, $shown(name_or_path));
 }
 (path = readText(folder, name_or_path));
 return [lagging_file___record(readText(path), path), path];
@@ -3892,13 +3921,17 @@ let band, dry, here, high, known, low, note, source, there;
 (dry = $b.next((function* () { for (const d of $iter(there)) { if (!(($eq(d.condition, tested)))) continue; yield d; } })(), null));
 if (((here == null) || (dry == null))) {
 (known = $b.sorted(new Set((function* () { for (const d of $iter((() => $c9375)())) { if (!($truth(d.condition))) continue; yield d.standard; } })())));
-throw errors__input_error(("" + "no design values of surface " + $str($shown(surface)) + " both " + $str(tested) + " and " + $str(condition)), ("" + $str($m.join(", ", known)) + " have dry, wet, and wet and dirty; or state a factor."), undefined, ("" + "condition." + $str(condition)), $shown(standard));
+throw errors__input_error(("" + "no design values " + $str(tested) + " and " + $str(condition) + " of surface " + $str($shown(surface))), ("" + "Give a factor, or one of " + $str(errors__format_names(known)) + "."), undefined, ("" + "condition." + $str(condition)), $shown(standard));
 }
 ([low, high] = [($at(here.friction, 0) / $at(dry.friction, 1)), ($at(here.friction, 1) / $at(dry.friction, 0))]);
 (band = ((low < high) ? ("" + ", " + $format(low, ("" + ".3g")) + " to " + $format(high, ("" + ".3g"))) : ""));
 (note = ("" + $str(surface) + " " + $str(condition) + " " + $str(conditions___ends(here)) + " over " + $str(tested) + " " + $str(conditions___ends(dry)) + ", middle values" + $str(band) + "; a ratio of constant design values applied to the whole law"));
 (source = new Provenance("published", $bound(here.provenance, "source"), $bound(here.provenance, "date"), note));
 return [($b.sum($bound(here, "friction")) / $b.sum($bound(dry, "friction"))), source];
+}
+function errors__format_names(names, most = 6) {
+
+return errors__format_list([...(function* () { for (const name of $iter(names)) { yield $shown(name); } })()], most);
 }
 function conditions___ends(design) {
 let high, low;
@@ -3951,7 +3984,7 @@ return new Problem($m.join(" and ", parts), undefined, undefined, ("" + "load_ca
 }
 function drive__condition_problems(case_, condition, pulleys) {
 
-return [...(function* () { for (const p of $iter(pulleys)) { if (!(($truth(condition) && (!$in(condition, (function* () { for (const lagging of $iter(p.conditions)) { yield lagging.condition; } })()))))) continue; yield new Problem(("" + "pulley " + $str($shown($bound(p, "name"))) + " does not say its lagging in this condition"), undefined, undefined, ("" + "load_case." + $str(case_) + ".condition"), $shown(condition)); } })()];
+return [...(function* () { for (const p of $iter(pulleys)) { if (!(($truth(condition) && (!$in(condition, (function* () { for (const lagging of $iter(p.conditions)) { yield lagging.condition; } })()))))) continue; yield new Problem(("" + "pulley " + $str($shown($bound(p, "name"))) + " has no lagging in this condition"), undefined, undefined, ("" + "load_case." + $str(case_) + ".condition"), $shown(condition)); } })()];
 }
 function drive__covered_problems(criteria, conditions, pulleys) {
 let every, laggings, message, remedy, wet;
@@ -3962,7 +3995,7 @@ let every, laggings, message, remedy, wet;
 if (!($truth(criteria.covered) && $truth(wet))) {
 return [];
 }
-(message = ("" + "a covered drive never runs wet, and condition " + $str($shown(wet)) + " is given"));
+(message = ("" + "contradicts condition " + $str($shown(wet))));
 (remedy = "Leave out covered or the condition.");
 return [new Problem(message, remedy, undefined, "covered", "true")];
 }
@@ -3977,11 +4010,15 @@ return one;
 throw errors__no_such(what, name, [...(function* () { for (const one of $iter(among)) { yield one.name; } })()], of);
 }
 function errors__no_such(what, name, known, of = "the drive") {
-let names, there;
+
+return errors__input_error(("" + $str(of) + " has no such " + $str(what)), errors__name_remedy(name, known), undefined, undefined, $shown(name));
+}
+function errors__name_remedy(given, known) {
+let listed, names;
 
 (names = $b.list(known));
-(there = ("" + "It has " + $str($m.join(", ", $b.map($shown, names))) + "."));
-return errors__input_error(("" + $str(of) + " has no such " + $str(what)), $m.strip(("" + $str(errors__nearest(name, names)) + " " + $str(there))), undefined, undefined, $shown(name));
+(listed = ($truth(names) ? ("" + "Write one of " + $str(errors__format_names(names)) + ".") : ""));
+return $or(errors__nearest(given, names), () => listed);
 }
 function drive___pull(case_) {
 return $math.fsum((function* () { for (const t of $iter($m.values(case_.tensions))) { yield t.effective; } })());
@@ -4056,7 +4093,7 @@ let given, message, problems, pulls, remedy, total;
 (total = $math.fsum(fractions));
 if ((!$truth(problems) && !($b.abs($sub(total, 1.0)) <= 1e-06))) {
 (given = $m.join(", ", (function* () { for (const f of $iter(fractions)) { yield ("" + $format(f, ("" + "g"))); } })()));
-(message = ("" + "the shares must sum to 1 and sum to " + $format(total, ("" + ".6g"))));
+(message = ("" + "must sum to 1, not to " + $format(total, ("" + ".6g"))));
 (remedy = "Give fractions like 0.5 or 50 %.");
 $m.append(problems, new Problem(message, remedy, undefined, key, ("" + "[" + $str(given) + "]")));
 }
@@ -4069,8 +4106,8 @@ let low, message, remedy;
 if ((low > 0.0)) {
 return [];
 }
-(message = ("" + "leaves a tension of " + $str(display__display(low, "force")) + " in the belt, and a belt cannot push"));
-(remedy = "Give other shares, or more tension on the slack side.");
+(message = ("" + "leaves a belt tension of " + $str(display__display(low, "force"))));
+(remedy = "Give other shares, or raise T2.");
 return [new Problem(message, remedy, undefined, key)];
 }
 function train__tensions_at(case_, pulls) {
@@ -4097,13 +4134,13 @@ let asked, message, problems, size, total;
 ([total, asked] = [$math.fsum(pulls), case_.effective_tension]);
 (size = $b.max($bound(case_, "entry_tension"), $bound(case_, "exit_tension")));
 if ((!$truth(problems) && !($b.abs($sub(total, asked)) <= $mul(1e-06, size)))) {
-(message = ("" + "the pulleys together pull " + $str(display__display(total, "force", undefined, 6)) + ", and the tensions at both ends ask for " + $str(display__display(asked, "force", undefined, 6))));
+(message = ("" + "the pulleys make " + $str(display__display(total, "force", undefined, 6)) + ", the tensions " + $str(display__display(asked, "force", undefined, 6))));
 $m.append(problems, new Problem(message, undefined, undefined, key));
 }
 return $or(problems, () => train___slack_problems(key, pulls, case_));
 }
 function train___motor_problems(key, motors, names) {
-let by_name, leads, message, motor, name, problems, where;
+let by_name, leads, message, motor, name, problems, remedy, value, where;
 (problems = train___count_problems(key, motors, $b.len(names)));
 if ($truth(problems)) {
 return problems;
@@ -4116,17 +4153,18 @@ continue;
 (leads = $m.get(by_name, $bound(motor, "master")));
 (where = ("" + $str(key) + "." + $str(name) + ".master"));
 if ((leads == null)) {
-(message = ("" + "no such pulley; the pulleys are " + $str($m.join(", ", $b.map($shown, names)))));
-$m.append(problems, new Problem(message, undefined, undefined, where, $shown($bound(motor, "master"))));
+(remedy = errors__name_remedy($bound(motor, "master"), names));
+([value, message] = [$shown($bound(motor, "master")), "no such pulley"]);
+$m.append(problems, new Problem(message, remedy, undefined, where, value));
 } else {
 if ($truth($b.isinstance(leads, TorqueFollower))) {
-(message = "the drive that is followed must not follow another one itself");
+(message = "must not follow another drive itself");
 $m.append(problems, new Problem(message, undefined, undefined, where, $shown($bound(motor, "master"))));
 }
 }
 }
 if (($eq($at($b.Counter($b.map($b.type, motors)), TorqueFollower), $b.len(motors)))) {
-(message = "every drive follows another one: one must hold the speed");
+(message = "every drive follows another one");
 $m.append(problems, new Problem(message, undefined, undefined, key));
 }
 return problems;
@@ -4316,7 +4354,7 @@ function of_arc___creep(of) {
 let limit;
 
 (limit = of.state.creep_limit);
-return new CheckText("Creep", "creep", "Creep {value} exceeds the {limit} limit", "Creep {creep} exceeds {slides}: gross slip", undefined, of_arc___allowance($bound(of, "drive"), limit), "creep", (($eq(limit, 0.00635)) ? "conservative limit, 1/4 in; B. DeVries, A model of lagging friction" : "given"), $map([["creep", new Amount($m.get(of.state.found, "exit_creep", NaN), "length")], ["slides", new Amount(0.0635, "length")], ["fabric", new Amount($at($c2c2b, "fabric"), "force_per_width")], ["allowed", new Amount($mul(2.0, 0.00635), "length")]]));
+return new CheckText("Creep", "creep", "Creep {value} exceeds the {limit} limit", "Creep {creep} exceeds {slides}: gross slip", undefined, of_arc___allowance($bound(of, "drive"), limit), "creep", (($eq(limit, 0.00635)) ? "conservative limit, 1/4 in; B. DeVries, A model of lagging friction" : "input"), $map([["creep", new Amount($m.get(of.state.found, "exit_creep", NaN), "length")], ["slides", new Amount(0.0635, "length")], ["fabric", new Amount($at($c2c2b, "fabric"), "force_per_width")], ["allowed", new Amount($mul(2.0, 0.00635), "length")]]));
 }
 function of_arc___allowance(drive, limit) {
 let belt, least, over, rating, steel, strong;
@@ -4507,7 +4545,7 @@ if ((of.pulley.lagging.law.tested == null)) {
 return null;
 }
 (slip = $m.get(of.state.found, "largest_slip", NaN));
-return new CheckText("Slip, tested range", "slip", "Slip {value} exceeds the tested {limit}", undefined, "Test the lagging to {slip} slip.", "There the friction is extrapolated.", "slip beyond tests", of_drive__tests_of($bound(of, "pulley")), $map([["slip", new Amount(slip, "length", "up")]]));
+return new CheckText("Slip, tested range", "slip", "Slip {value} exceeds the tested {limit}", undefined, "Test the lagging to {slip} slip.", "There the friction is extrapolated.", "slip outside tests", of_drive__tests_of($bound(of, "pulley")), $map([["slip", new Amount(slip, "length", "up")]]));
 }
 function of_arc___speed(of) {
 let missing, noun, speed, tested, title;
@@ -4523,7 +4561,7 @@ return new CheckText(title, noun, undefined, undefined, undefined, undefined, un
 if (((of.drive.belt.speed == null) || $truth($math.isnan(speed)))) {
 return new CheckText(title, noun, undefined, undefined, undefined, undefined, undefined, undefined, undefined, "belt.speed");
 }
-return new CheckText(title, noun, "Slip speed {value} exceeds the tested {limit}", undefined, "Test the lagging at {speed}.", "How the friction changes with slip speed is unknown.", "slip speed beyond tests", of_drive__tests_of($bound(of, "pulley")), $map([["speed", new Amount(speed, "speed", "up")]]));
+return new CheckText(title, noun, "Slip speed {value} exceeds the tested {limit}", undefined, "Test the lagging at {speed}.", "How the friction changes with slip speed is unknown.", "slip speed outside tests", of_drive__tests_of($bound(of, "pulley")), $map([["speed", new Amount(speed, "speed", "up")]]));
 }
 function of_drive___slack_end(state) {
 return state.slack_end;
@@ -4580,17 +4618,17 @@ if ((value == null)) {
 return [];
 }
 if ((table == null)) {
-(message = ("" + "given, and the law has no " + $str(key) + "_factor"));
-(remedy = ("" + "Leave it out, or add [law." + $str(key) + "_factor] with its source."));
+(message = ("" + "the law has no " + $str(key) + "_factor"));
+(remedy = ("" + "Leave it out, or add [law." + $str(key) + "_factor]."));
 return [new Problem(message, remedy, undefined, key, display__display(value, dimension))];
 }
 ([low, high] = [(($eq(key, "slip_speed")) ? 0.0 : $at(table.at, 0)), $at(table.at, $neg(1))]);
 if ((low <= value && value <= high)) {
 return [];
 }
-(ends = ("" + $str(display__display($at(table.at, 0), dimension)) + " to " + $str(display__display(high, dimension))));
-(message = ("" + "outside the " + $str(ends) + " that its factor is known for"));
-return [new Problem(message, "Test the lagging there, and add the factor to its table.", undefined, key, display__display(value, dimension))];
+(ends = ("" + $str(display__display($at(table.at, 0), dimension)) + " and " + $str(display__display(high, dimension))));
+(message = ("" + "must be between " + $str(ends) + ", where its factor is known"));
+return [new Problem(message, "Test the lagging there.", undefined, key, display__display(value, dimension))];
 }
 function tables___kind_of(owner, attribute) {
 let kind, rigid, types;
@@ -4626,7 +4664,7 @@ if ($truth($b.isinstance(kind, Quantity))) {
 return ("" + "Write for example " + $str(entry.key) + " = " + $str($shown($bound($at($c22c8, kind.dimension), "example"))) + ".");
 }
 if ($truth($b.isinstance(kind, Choice))) {
-return ("" + "Write " + $str(entry.key) + " = " + $str($shown($at(kind.options, 0))) + " or another of its words.");
+return ("" + "Write " + $str(entry.key) + " = " + $str($shown($at(kind.options, 0))) + " or another word.");
 }
 return ("" + "Add " + $str(entry.key) + ".");
 }
@@ -4657,7 +4695,7 @@ if (!$truth($math.isnan(resistance__coefficient_at(length)))) {
 return [];
 }
 (least = $at($at($c2838, 0), 0));
-return [new Problem(("" + "is below " + $format(least, ("" + "g")) + " m, where no coefficient C is tabulated"), "Give secondary_resistance, or a length_coefficient of your own.", undefined, "length", display__display(length, "length"))];
+return [new Problem(("" + "below " + $format(least, ("" + "g")) + " m, where no coefficient C is tabulated"), "Give secondary_resistance or length_coefficient.", undefined, "length", display__display(length, "length"))];
 }
 function resistance__coefficient_at(length) {
 let end, found, high, low, start;
@@ -4676,8 +4714,8 @@ return ((value == null) ? other : value);
 function conveyor___slack(state, least) {
 let message, remedy, where;
 
-(where = (($in(least, [state.entry, state.exit])) ? "beside the drive pulley" : "at the far end"));
-(message = ("" + "leaves a belt tension of " + $str(display__display(least, "force")) + " " + $str(where) + " in load case " + $str(state.name) + ", and a belt cannot push"));
+(where = (($in(least, [state.entry, state.exit])) ? "at the drive pulley" : "at the far end"));
+(message = ("" + "leaves " + $str(display__display(least, "force")) + " " + $str(where) + " in load case " + $str(state.name)));
 (remedy = "Give a larger take-up tension.");
 return new Problem(message, remedy, undefined, "take_up_tension");
 }
@@ -4862,12 +4900,16 @@ let tested;
 return ((tested == null) ? null : tested.pressure_min);
 }
 function* of_data___condition(of) {
-let factor, full, lagging, used;
+let factor, full, lagging, several, used;
 
 (lagging = of.pulley.lagging);
 if (($in("condition", lagging.sources))) {
 (factor = lagging.scaled_by);
-(used = ("" + "dry friction " + $str(((factor == null) ? "scaled" : ("" + "times " + $format(factor, ("" + ".3g")) + " used")))));
+(used = "dry friction scaled");
+if ((factor != null)) {
+(several = ($in(" ", lagging.condition)));
+(used = ("" + "dry friction times " + $format(factor, ("" + ".3g")) + $str(($truth(several) ? "" : " used"))));
+}
 (full = ("" + "Source of the factor: " + $str(rule__origin($at(lagging.sources, "condition"))) + "."));
 yield of_data___untested(of, $bound(lagging, "condition"), "condition", used, full);
 }
@@ -4960,13 +5002,13 @@ return [row.unit, row.factor];
 }
 class Problem extends $Object {
 __str__() {
-const self = this; let given, place, sentence;
+const self = this; let fault, place, sentence;
 (place = self.file);
 if ((self.line != null)) {
 (place = ($truth(place) ? ("" + $str(place) + ", line " + $str(self.line)) : ("" + "line " + $str(self.line))));
 }
-(given = $m.join(" = ", (function* () { for (const part of $iter([self.key, self.value])) { if (!($truth(part))) continue; yield part; } })()));
-(sentence = $m.join(": ", (function* () { for (const part of $iter([place, given, self.message])) { if (!($truth(part))) continue; yield part; } })()));
+(fault = ($truth(self.value) ? ("" + $str(self.message) + ", got " + $str(self.value)) : self.message));
+(sentence = $m.join(": ", (function* () { for (const part of $iter([place, self.key, fault])) { if (!($truth(part))) continue; yield part; } })()));
 return $m.join(" ", (function* () { for (const part of $iter([errors___stopped(sentence), errors___stopped($bound(self, "remedy"))])) { if (!($truth(part))) continue; yield part; } })());
 }
 }
@@ -5095,8 +5137,12 @@ throw errors__input_error("a published number without a source", "Name the publi
 __str__() {
 const self = this; let origin, stated;
 (origin = $m.join(", ", (function* () { for (const part of $iter([self.source, self.date])) { if (!($truth(part))) continue; yield part; } })()));
-(stated = ($truth(origin) ? ("" + $str(self.kind) + ": " + $str(origin)) : $b.str($bound(self, "kind"))));
+(stated = ($truth(origin) ? ("" + $str(self.kind_text) + ": " + $str(origin)) : self.kind_text));
 return ($truth(self.note) ? ("" + $str(stated) + " (" + $str(self.note) + ")") : stated);
+}
+get kind_text() {
+const self = this; 
+return ((self.kind === "given") ? "input" : $b.str($bound(self, "kind")));
 }
 }
 $sig(Provenance, ["kind", "source", "date", "note"], false, {kind: () => "given", source: () => "", date: () => "", note: () => ""});
@@ -5193,7 +5239,7 @@ const self = this; let factors, message, remedy;
 if (!$truth(criteria__is_wet($bound(self, "name")))) {
 return [];
 }
-([message, remedy] = ["more friction wet than dry", "Give friction when wet over dry, 0.8 say."]);
+([message, remedy] = ["more friction wet than dry", "Give friction wet over dry, such as 0.8."]);
 return [...(function* () { for (const [key, factor] of $iter($m.items(factors))) { if (!(((factor != null) && (factor > 1.0)))) continue; yield new Problem(message, remedy, undefined, key, ("" + $format(factor, ("" + "g")))); } })()];
 }
 lagging(lagging) {
@@ -5257,14 +5303,10 @@ continue;
 throw new InputError(self._uncovered(lagging));
 }
 _uncovered(lagging) {
-const self = this; let covered, known, name;
+const self = this; let known, more;
 (known = conditions__published_conditions($bound(lagging, "surface")));
-(covered = ($truth(known) ? ("" + "of " + $str(lagging.surface) + " " + $str($m.join(", ", known))) : "of its surface none"));
-if (!$truth(lagging.surface)) {
-(covered = "its surface is not said, so that no published value applies");
-}
-(name = $shown($bound(self, "name")));
-return new Problem(("" + "lagging " + $str($shown($bound(lagging, "name"))) + " was tested " + $str(lagging.condition) + ", and nothing is published on its friction when " + $str(self.name) + " (covered: " + $str(covered) + ")"), $m.join(" ", (function* () { for (const part of $iter([errors__nearest($bound(self, "name"), known), ("" + "Give what it leaves of the friction, condition = { name = " + $str(name) + ", friction_factor = 0.8 }, or add a law for it to the lagging.")])) { if (!($truth(part))) continue; yield part; } })()), undefined, ("" + "condition." + $str(self.name)));
+(more = ($truth(lagging.surface) ? "a law to the lagging" : "surface to the lagging"));
+return new Problem(("" + "lagging " + $str($shown($bound(lagging, "name"))) + " has no friction in this condition"), $or(errors__nearest($bound(self, "name"), known), () => ("" + "Give a friction_factor, or add " + $str(more) + ".")), undefined, ("" + "condition." + $str(self.name)));
 }
 }
 $sig(Condition, ["name", "factor", "factors", "standard", "source"], false, {factor: () => null, factors: () => new Map(), standard: () => "", source: () => new Provenance()});
@@ -5286,9 +5328,9 @@ return $mul((self.diameter / 2.0), (($eq(self.turn, "counterclockwise")) ? 1.0 :
 }
 $sig(Point, ["x", "y", "diameter", "turn"], false, {diameter: () => 0.0, turn: () => "clockwise"});
 class _UnitTextError extends $Error {
-$init(message, remedy) {
+$init(message, remedy = "", name = "", meant = []) {
 const self = this; super.$init(message);
-(self.remedy = remedy);
+([self.remedy, self.name, self.meant] = [remedy, name, meant]);
 }
 }
 class Unit extends $Tuple {
@@ -5313,7 +5355,7 @@ $m.append(problems, new Problem(message, "Give two rows or more.", undefined, "r
 }
 (wrong = [...(function* () { for (const [a, b] of $iter($b.pairwise($bound(self, "position")))) { if (!((b <= a))) continue; yield b; } })()]);
 if ($truth(wrong)) {
-$m.append(problems, new Problem("the positions must ascend from one edge of the belt to the other", "Sort the rows by position, the middle of the belt being 0.", undefined, "rows", display__display($at(wrong, 0), "length")));
+$m.append(problems, new Problem("the positions must ascend", "Sort the rows by position, the middle of the belt being 0.", undefined, "rows", display__display($at(wrong, 0), "length")));
 }
 limits__raise_all(problems);
 }
@@ -5330,7 +5372,7 @@ const self = this; let beyond, edge;
 if (!$truth(beyond)) {
 return [];
 }
-return [new Problem(("" + "beyond the belt, which reaches from " + $str(display__display($mul($neg(0.5), width), "length")) + " to " + $str(display__display($mul(0.5, width), "length"))), "Give positions from the middle of the belt, and leave out rows beside it.", undefined, key, display__display($at(beyond, 0), "length"))];
+return [new Problem(("" + "must be between " + $str(display__display($mul($neg(0.5), width), "length")) + " and " + $str(display__display($mul(0.5, width), "length")) + ", the edges"), "Give positions from the middle of the belt.", undefined, key, display__display($at(beyond, 0), "length"))];
 }
 }
 $sig(WidthProfile, ["position", "value", "crown", "uncertainty"], false, {position: () => [], value: () => [], crown: () => 0.0, uncertainty: () => null});
@@ -5441,7 +5483,7 @@ return problems;
 }
 if (((self.conveyor != null) && ($b.abs($sub((self.conveyor.belt_mass / mass), 1.0)) > 0.005))) {
 (other = display__display($bound(self.conveyor, "belt_mass"), "mass_per_length"));
-$m.append(problems, new Problem(("" + "the belt of [conveyor] has belt_mass = " + $str(other)), "Both are the mass of a metre of belt: give one, or the same twice.", undefined, "belt.mass", display__display(mass, "mass_per_length")));
+$m.append(problems, new Problem(("" + "must equal belt_mass " + $str(other) + " of [conveyor]"), "Give one of them, or the same twice.", undefined, "belt.mass", display__display(mass, "mass_per_length")));
 }
 for ([key, least] of $iter($m.items(drive__least_tensions($bound(self, "load_cases"))))) {
 (problems = $add(problems, drive__flying_problems($bound(self, "belt"), key, least)));
@@ -5508,7 +5550,7 @@ if ((self.conveyor != null)) {
 return ($truth(away) ? "at the take-up" : "");
 }
 if ($truth(take_up.fixed)) {
-return ($truth(drive___alike(ends)) ? "" : ("" + "of the slack side in load case " + $str(self.load_case().name)));
+return ($truth(drive___alike(ends)) ? "" : ("" + "behind the drives in load case " + $str(self.load_case().name)));
 }
 (steady = self._steady_end);
 if ((($eq(steady, "entry")) && !$truth(take_up.after))) {
@@ -5679,7 +5721,7 @@ return null;
 }
 (total = $add(tensions.effective, $b.sum(runs)));
 if (($truth(pull) && ($b.abs($sub(total, pull)) > $mul(0.005, $b.abs(pull))))) {
-(message = ("" + "the powers make a pull of " + $str(display__display(pull, "force")) + " at the belt speed, and the tensions one of " + $str(display__display(total, "force"))));
+(message = ("" + "the powers make " + $str(display__display(pull, "force")) + ", the tensions " + $str(display__display(total, "force"))));
 self._report.add([...$iter(place), "share"], message, "Leave one of them out.");
 return null;
 }
@@ -5706,7 +5748,7 @@ if ($truth(fixed)) {
 return $method(given, "overridden", [over], [["fixed", fixed], ["speed", self.belt.speed], ["runs", runs]]);
 }
 _held(given, train, over, runs, division) {
-const self = this; let after, base, ends, first, k, message, names, own, remedy;
+const self = this; let after, base, ends, first, k, message, names, own;
 
 ([names, after] = [[...(function* () { for (const p of $iter(self.pulleys)) { yield p.name; } })()], self._take_up.after]);
 if (((over == null) || (!$in(after, $slice(names, null, $neg(1)))) || ($in("entry_tension", over)) || ($in("exit_tension", over)))) {
@@ -5717,9 +5759,8 @@ return given;
 }
 ([own, base] = [self._runs(train, null), self._division(train, null)]);
 if ((!$truth($b.isinstance(division, Shares)) || !$truth($b.isinstance(base, Shares)))) {
-(message = "gives its pull alone, and how much of it the drives behind the take-up take follows from their speeds or motors");
-(remedy = ("" + "Give exit_tension too, so that the belt behind " + $str(after) + " keeps its tension."));
-self._report.add($bound(over, "place"), message, remedy);
+(message = "Te alone does not fix the tensions behind the take-up");
+self._report.add($bound(over, "place"), message, "Give exit_tension too.");
 return given;
 }
 (first = self._given(train, null).less_runs($b.sum(own), $bound(self.belt, "speed")));
@@ -5734,7 +5775,7 @@ _ends(given) {
 const self = this; return tension_rules__ends_of($bound(given, "values"), given.at($bound(self.belt, "speed")));
 }
 _runs(train, over) {
-const self = this; let message, name, names, place, places, remedy, table, there;
+const self = this; let first, message, name, names, place, places, remedy, table;
 (table = $b.dict($m.get(train, "run", $map([]))));
 (places = $b.fromkeys(table, train.place));
 if ((over != null)) {
@@ -5744,9 +5785,9 @@ if ((over != null)) {
 (names = [...(function* () { for (const p of $iter(self.pulleys)) { yield p.name; } })()]);
 for ([name, place] of $iter($m.items(places))) {
 if ((!$in(name, $slice(names, 1, null)))) {
-(there = $m.join(", ", $b.map($shown, $slice(names, 1, null))));
-(message = (($in(name, names)) ? "the first pulley has no run before it" : ("" + "no such pulley; runs lead to " + $str(there))));
-(remedy = errors__nearest(name, $slice(names, 1, null)));
+(first = ($in(name, names)));
+(message = ($truth(first) ? "the first pulley has no run before it" : "no such pulley"));
+(remedy = errors__name_remedy(name, $slice(names, 1, null)));
 self._report.add([...$iter(place), "run", name], message, remedy);
 }
 }
@@ -5772,7 +5813,7 @@ return new Speeds($b.tuple((function* () { for (const d of $iter(self.nominal)) 
 if (($eq($b.len($bound(self, "pulleys")), 1))) {
 return new Shares([1.0]);
 }
-self._report.add($bound(record, "place"), "nothing says how the load divides", "Write share = [\"50 %\", \"50 %\"], speeds = \"equal\", or a [train.motor.NAME] for each pulley.");
+self._report.add($bound(record, "place"), "nothing says how the load divides", "Write share = [\"50 %\", \"50 %\"], speeds = \"equal\" or [train.motor.NAME].");
 return null;
 }
 if (($eq(modes, ["motor"]))) {
@@ -5827,11 +5868,11 @@ $method(self._report, "add", [[...$iter(record.place), key], message], [["value"
 return false;
 }
 _motors(tables, train) {
-const self = this; let made, message, missing, motors, name, names, remedy;
+const self = this; let made, missing, motors, name, names, place, remedy;
 (names = [...(function* () { for (const p of $iter(self.pulleys)) { yield p.name; } })()]);
 for (name of $iter((function* () { for (const name of $iter(tables)) { if (!((!$in(name, names)))) continue; yield name; } })())) {
-(message = ("" + "no such pulley; the pulleys are " + $str($m.join(", ", $b.map($shown, names)))));
-self._report.add([...$iter(train.place), "motor", name], message, errors__nearest(name, names));
+(place = [...$iter(train.place), "motor", name]);
+self._report.add(place, "no such pulley", errors__name_remedy(name, names));
 }
 (missing = [...(function* () { for (const name of $iter(names)) { if (!((!$in(name, tables)))) continue; yield name; } })()]);
 for (name of $iter(missing)) {
@@ -5893,12 +5934,12 @@ const self = this; let fall, held, law, problems, top;
 (top = self.wrap_pressure($b.max($bound(self, "entry_tension"), $bound(self, "exit_tension"))));
 if ($truth(summary__too_steep(self.described(), self.law.steepest_fall()))) {
 (fall = ($neg(1.0) / $mul(self.shear_compliance, top)));
-$m.append(problems, new Problem(("" + "friction falls so steeply past its peak that slip and shear of the lagging are not unique; at " + $format(top, ("" + "g")) + " Pa the slope must stay above " + $format(fall, ("" + "g")) + " 1/m (-G/(h p))"), "Check the unit of the slope, the thickness and the shear modulus.", undefined, "lagging", ("" + "post_peak_slope " + $format(self.law.steepest_fall(), ("" + "g")) + " 1/m")));
+$m.append(problems, new Problem(("" + "post_peak_slope must be more than " + $format(fall, ("" + "g")) + " 1/m"), "Check slope, thickness and shear modulus.", undefined, "lagging", ("" + $format(self.law.steepest_fall(), ("" + "g")) + " 1/m")));
 }
 (law = self.law.compact());
 if ($truth(summary__overrun_loosens(law, self.geometry(), $bound(self, "entry_pressure")))) {
 (held = summary__held_creep(law, $bound(self, "shear_compliance"), $bound(self, "entry_pressure")));
-$m.append(problems, new Problem(("" + "this friction law holds the belt without slip up to a creep of " + $format(held, ("" + "g")) + " m; with an overrun beyond that the creep of a belt that comes to rest again is not unique"), "Set overrun = \"0 mm\" for this law.", undefined, "overrun", ("" + $format(self.entry_overrun, ("" + "g")) + " m")));
+$m.append(problems, new Problem(("" + "must be within " + $format(held, ("" + "g")) + " m of 0, where this law starts to slip"), "Write overrun = \"0 mm\".", undefined, "overrun", ("" + $format(self.entry_overrun, ("" + "g")) + " m")));
 }
 return problems;
 }
@@ -6032,13 +6073,13 @@ return ($b.abs($bound(self, "exit_creep")) / self.arc.creep_limit);
 }
 get within_creep_limit() {
 const self = this; 
-return $and($told($c4a3b, self.status, "solved"), () => ($b.abs($bound(self, "exit_creep")) <= self.arc.creep_limit));
+return $and($told($cc303, self.status, "solved"), () => ($b.abs($bound(self, "exit_creep")) <= self.arc.creep_limit));
 }
 $find_covered_creep() {
 const self = this; let arc, found, geometry, load, series;
 
 (arc = self.arc);
-if ((!$truth($told($c4a3b, self.status, "solved")) || ($eq(arc.cover_left_out, 0.0)))) {
+if ((!$truth($told($cc303, self.status, "solved")) || ($eq(arc.cover_left_out, 0.0)))) {
 return NaN;
 }
 ([load, geometry] = [arc.load(), arc.geometry()]);
@@ -6084,7 +6125,7 @@ let margin;
 if ((result.status === "The solver did not reach its accuracy on this arc. Please report the drive file; until then change a value slightly.")) {
 return [2.0, 0.0];
 }
-if ((result.status === "Breakaway: no creep makes enough friction for this tension ratio. Raise the slack-side tension (take-up), enlarge the wrap angle, or choose a lagging with more friction.")) {
+if ((result.status === "Gross slip: no creep gives enough friction for this tension ratio. Raise the slack-side tension (take-up), increase the wrap angle, or choose a lagging with more friction.")) {
 (margin = result.capacities.extrapolated_gross_slip_margin);
 return [1.0, ($truth($math.isfinite(margin)) ? $neg(margin) : 0.0)];
 }
@@ -6096,7 +6137,7 @@ return alike__largest((function* () { for (const result of $iter(self.arcs)) { i
 }
 get solved() {
 const self = this; 
-return $b.all((function* () { for (const r of $iter(self.arcs)) { yield $told($c4a3b, r.status, "solved"); } })());
+return $b.all((function* () { for (const r of $iter(self.arcs)) { yield $told($cc303, r.status, "solved"); } })());
 }
 get within_creep_limit() {
 const self = this; 
@@ -6114,7 +6155,7 @@ return $b.any((function* () { for (const c of $iter(self.cases)) { yield c.adrif
 }
 get solved() {
 const self = this; 
-return $b.all((function* () { for (const c of $iter(self.cases)) { yield $told($c4a3b, c.status, "solved"); } })());
+return $b.all((function* () { for (const c of $iter(self.cases)) { yield $told($cc303, c.status, "solved"); } })());
 }
 get governing() {
 const self = this; let solved;
@@ -6125,8 +6166,8 @@ let creeps;
 return $b.max((function* () { for (const c of $iter(creeps)) { yield ($truth($math.isfinite(c)) ? c : 0.0); } })());
 }
 $sig(severity, ["case"], false);
-(solved = $told($c4a3b, self, "solved"));
-return alike__largest((function* () { for (const c of $iter(self.cases)) { if (!(($truth(solved) || !$truth($told($c4a3b, c.status, "solved"))))) continue; yield c; } })(), severity);
+(solved = $told($cc303, self, "solved"));
+return alike__largest((function* () { for (const c of $iter(self.cases)) { if (!(($truth(solved) || !$truth($told($cc303, c.status, "solved"))))) continue; yield c; } })(), severity);
 }
 drive_result() {
 const self = this; let arcs, cases;
@@ -6143,11 +6184,11 @@ const self = this; return $b.iter($bound(self, "members"));
 }
 get adrift() {
 const self = this; 
-return $and((self.status === "Breakaway: a drive cannot hold its part of the load. Raise the slack-side tension (take-up), bring the speeds closer together, or choose a lagging with more friction."), () => !$truth(self.case.pulls_given));
+return $and((self.status === "Gross slip: a drive cannot transmit its share of the load. Raise the slack-side tension (take-up), bring the speeds closer together, or choose a lagging with more friction."), () => !$truth(self.case.pulls_given));
 }
 get within_creep_limit() {
 const self = this; 
-return $and($told($c4a3b, self.status, "solved"), () => $b.all((function* () { for (const m of $iter(self.members)) { yield m.arc.within_creep_limit; } })()));
+return $and($told($cc303, self.status, "solved"), () => $b.all((function* () { for (const m of $iter(self.members)) { yield m.arc.within_creep_limit; } })()));
 }
 }
 $sig(CaseResult, ["case", "status", "reason", "members", "sensitivity", "belt_speed", "other_splits", "tension_error", "speed_error"], false, {other_splits: () => [], tension_error: () => 0.0, speed_error: () => 0.0});
@@ -6683,7 +6724,7 @@ if (!$truth(origin)) {
 (kind = ((provenance.kind === "given") ? "" : $b.str($bound(provenance, "kind"))));
 } else {
 (number = $m.setdefault(self._numbers, origin, $add($b.len($bound(self, "_numbers")), 1)));
-(kind = ("" + $str(provenance.kind) + " [" + $str(number) + "]"));
+(kind = ("" + $str(provenance.kind_text) + " [" + $str(number) + "]"));
 }
 return $m.join(", ", (function* () { for (const part of $iter([kind, provenance.note])) { if (!($truth(part))) continue; yield part; } })());
 }
@@ -7003,7 +7044,7 @@ const self = this; let given, message, problems, remedy;
 (problems = limits__limit_problems(self, $bound(self, "LIMITS")));
 (problems = $add(problems, criteria__choice_problems(self, $map([["kind", ["", ...$iter($c9cf4)]]]))));
 if (($truth(self.after) && $truth(self.fixed))) {
-(message = "a fixed take-up holds the sum of both tensions wherever it stands");
+(message = "a fixed take-up needs no place");
 (remedy = "Leave it out, or correct the kind.");
 (given = $shown($bound(self, "after")));
 $m.append(problems, new Problem(message, remedy, undefined, "after", given));
@@ -7015,15 +7056,13 @@ const self = this;
 return ($truth(self.after) ? $m.index(pulleys, $bound(self, "after")) : $neg(1));
 }
 place_problems(pulleys) {
-const self = this; let given, message, remedy;
+const self = this; let given, remedy;
 
 if ((!$truth(self.after) || ($in(self.after, pulleys)))) {
 return [];
 }
-(message = ("" + "no such pulley; the pulleys are " + $str($m.join(", ", $b.map($shown, pulleys)))));
-(remedy = $or(errors__nearest($bound(self, "after"), pulleys), () => "Leave it out for a take-up on the slack side of the drives or at the tail."));
-(given = $shown($bound(self, "after")));
-return [new Problem(message, remedy, undefined, "take_up.after", given)];
+([given, remedy] = [$shown($bound(self, "after")), errors__name_remedy($bound(self, "after"), pulleys)]);
+return [new Problem("no such pulley", remedy, undefined, "take_up.after", given)];
 }
 get fixed() {
 const self = this; 
@@ -7042,7 +7081,7 @@ const self = this; let given, message, problems, remedy, words;
 (problems = $add(limits__limit_problems(self, $bound(self, "LIMITS")), criteria__choice_problems(self, words)));
 if ((!$eq(($eq(self.name, "own")), (self.friction != null)))) {
 (given = ((self.friction == null) ? "" : ("" + $format(self.friction, ("" + "g")))));
-(message = "missing, where the standard is your own");
+(message = "missing for a standard of your own");
 (remedy = "Write friction = 0.30 beside it.");
 if ($truth(given)) {
 ([message, remedy] = ["only a standard of your own has one", "Write name = \"own\"."]);
@@ -7092,7 +7131,7 @@ return $c2f8b;
 (known = self._known);
 for (key of $iter([...(function* () { for (const key of $iter(given)) { if (!((!$in(key, known)))) continue; yield key; } })()])) {
 (remedy = ($truth(report.full) ? "" : tables__unknown_key_remedy(key, known)));
-report.add([...$iter(place), key], "unknown key", remedy, $at(given, key));
+report.add([...$iter(place), key], "unknown key", remedy);
 }
 (record = new Record($map([]), place, given));
 for ([key, entry] of $iter($m.items(known))) {
@@ -7259,7 +7298,7 @@ report.add(place, "must be a table", ("" + "Write [" + $str($at(place, $neg(1)))
 return $c2f8b;
 }
 if (($b.len(raw) > self.most)) {
-report.add(place, ("" + "must have at most " + $str(self.most) + " entries, and has " + $str($b.len(raw))));
+$method(report, "add", [place, ("" + "must have at most " + $str(self.most) + " entries")], [["value", $b.len(raw)]]);
 return $c2f8b;
 }
 return $map([...(function* () { for (const [name, item] of $iter($m.items(raw))) { if (!((new Name().read(name, [...$iter(place), name], report) !== $c2f8b))) continue; yield [name, self.kind.read(item, [...$iter(place), name], report)]; } })()]);
@@ -7273,13 +7312,13 @@ const self = this; let problems;
 limits__raise_all($or(problems, () => $or(self._cord_problems(), () => self._layer_problems())));
 }
 _cord_problems() {
-const self = this; let carcass, cord, diameter, message, pitch, remedy;
+const self = this; let carcass, cord, diameter, message, pitch, remedy, value;
 
 ([diameter, pitch, carcass] = [self.cord_diameter, self.cord_pitch, self.carcass]);
 if (((diameter != null) && (carcass != null) && ($b.abs($sub(diameter, carcass)) > 1e-06))) {
-(message = ("" + $str(display__display(diameter, "length")) + ", and carcass is " + $str(display__display(carcass, "length"))));
-(remedy = "Of steel cord both are one number: leave one of them out.");
-return [new Problem(message, remedy, undefined, "cord_diameter")];
+(message = ("" + "must equal the carcass " + $str(display__display(carcass, "length"))));
+([value, remedy] = [display__display(diameter, "length"), "Leave one of them out."]);
+return [new Problem(message, remedy, undefined, "cord_diameter", value)];
 }
 (cord = self.cord);
 if ((pitch == null)) {
@@ -7287,42 +7326,38 @@ return [];
 }
 if ((cord == null)) {
 (remedy = "Write cord_diameter = \"5.6 mm\", or leave cord_pitch out.");
-(message = ("" + $str(display__display(pitch, "length")) + " without cord_diameter"));
-return [new Problem(message, remedy, undefined, "cord_pitch")];
+return [new Problem("needs cord_diameter", remedy, undefined, "cord_pitch")];
 }
 if ((pitch <= cord)) {
-(message = ("" + $str(display__display(pitch, "length")) + ", at most the cord diameter " + $str(display__display(cord, "length"))));
-(remedy = "The pitch is the distance between the axes of neighbouring cords.");
-return [new Problem(message, remedy, undefined, "cord_pitch")];
+(message = ("" + "must be more than the cord diameter " + $str(display__display(cord, "length"))));
+([value, remedy] = [display__display(pitch, "length"), "Give the distance between cord axes."]);
+return [new Problem(message, remedy, undefined, "cord_pitch", value)];
 }
 return [];
 }
 _layer_problems() {
-const self = this; let given, key, message, of, remedy, rounding, short, total, whole;
+const self = this; let key, known, layers, least, message, of, remedy, rounding, sign, thin, total, value, whole;
 
 (of = $merged($map([...(function* () { for (const key of $iter($c2d22)) { yield [key, $b.getattr(self, key)]; } })()]), $map([["carcass", self.cord]])));
-(given = $map([...(function* () { for (const [key, value] of $iter($m.items(of))) { if (!((value != null))) continue; yield [key, value]; } })()]));
-([total, whole] = [$b.sum($m.values(given)), self.thickness]);
-([short, key, remedy] = [(total <= 0.06), "thickness", ""]);
+(known = $map([...(function* () { for (const [key, value] of $iter($m.items(of))) { if (!((value != null))) continue; yield [key, value]; } })()]));
+([total, whole, layers] = [$b.sum($m.values(known)), self.thickness, $m.join(" + ", known)]);
 if ((whole == null)) {
-(key = $b.next($b.iter(given), "thickness"));
-(message = ("" + "more than " + $str(display__display(0.06, "length")) + ", the thickest belt"));
-(remedy = "Check their units.");
-} else {
-(rounding = $mul(1e-09, whole));
-(short = (total <= $add(whole, ((self.cord != null) ? rounding : $neg(rounding)))));
-(message = ("" + "too much for a belt of " + $str(display__display(whole, "length"))));
-(remedy = "Give the thickness of the whole belt, or leave it out.");
-if ((($eq($b.len(given), $b.len($c2d22))) && (total < $mul(0.98, whole)))) {
-([short, message] = [false, ("" + "and the belt is " + $str(display__display(whole, "length")) + " thick")]);
-(remedy = "Leave out the one of the four that is not known.");
-}
-}
-if ($truth(short)) {
+if ((total <= 0.06)) {
 return [];
 }
-(message = ("" + $str($m.join(" + ", given)) + " = " + $str(display__display(total, "length")) + ", " + $str(message)));
-return [new Problem(message, remedy, undefined, key)];
+(message = ("" + $str(layers) + " must be at most " + $str(display__display(0.06, "length"))));
+([key, value, remedy] = [$b.next($b.iter(known), "thickness"), total, "Check their units."]);
+} else {
+([key, value, rounding] = ["thickness", whole, $mul(1e-09, whole)]);
+([least, sign] = ((self.cord != null) ? ["at least", 1.0] : ["more than", $neg(1.0)]));
+(thin = $and(($eq($b.len(known), $b.len($c2d22))), () => (total < $mul(0.98, whole))));
+if (((total <= $add(whole, $mul(sign, rounding))) && !$truth(thin))) {
+return [];
+}
+(message = ("" + "must be " + $str(($truth(thin) ? "at most" : least)) + " " + $str(layers) + " = " + $str(display__display(total, "length"))));
+(remedy = ($truth(thin) ? "Leave one out." : "Correct or omit it."));
+}
+return [new Problem(message, remedy, undefined, key, display__display(value, "length"))];
 }
 get cord() {
 const self = this; 
@@ -7374,13 +7409,13 @@ return $c2f8b;
 $sig(Flag, [], false, {});
 class Choice extends Kind {
 read(raw, place, report) {
-const self = this; let allowed;
+const self = this; let message;
 
 if (($truth($b.isinstance(raw, "str")) && ($in(raw, self.options)))) {
 return raw;
 }
-(allowed = $m.join(", ", (function* () { for (const option of $iter(self.options)) { yield $shown(option); } })()));
-report.add(place, ("" + "must be one of " + $str(allowed)), errors__nearest(raw, $bound(self, "options")), raw);
+(message = ("" + "must be one of " + $str(errors__format_names($bound(self, "options")))));
+report.add(place, message, errors__nearest(raw, $bound(self, "options"), 1), raw);
 return $c2f8b;
 }
 }
@@ -7414,7 +7449,7 @@ const self = this; let found;
 
 (found = [...(function* () { for (const [name, profile] of $iter($m.items(self.profiles()))) { for (const problem of $iter(profile.problems(("" + $str(key) + "." + $str(name)), width))) { yield problem; }} })()]);
 if (($truth($b.isinstance(self.before, Transition)) && (self.before.centre_roll >= width))) {
-$m.append(found, new Problem(("" + "wider than the belt, " + $str(display__display(width, "length"))), "Give the width of belt on the centre roll.", undefined, ("" + $str(key) + ".before.centre_roll"), display__display($bound(self.before, "centre_roll"), "length")));
+$m.append(found, new Problem(("" + "must be less than the belt width " + $str(display__display(width, "length"))), "Give the width of belt on the centre roll.", undefined, ("" + $str(key) + ".before.centre_roll"), display__display($bound(self.before, "centre_roll"), "length")));
 }
 return found;
 }
@@ -7462,7 +7497,7 @@ const self = this; let problems, worn;
 (problems = $add(problems, criteria__choice_problems(self, $map([["side", $ca867]]))));
 (worn = ($truth(self.across) ? self.across.worn_depth : null));
 if (((worn != null) && (worn.largest >= self.lagging.thickness))) {
-$m.append(problems, new Problem($add("deeper than the lagging is thick, ", display__display($bound(self.lagging, "thickness"), "length")), "Give the depth worn off, on radius, not what is left.", undefined, "across.worn_depth", display__display($bound(worn, "largest"), "length")));
+$m.append(problems, new Problem($add("must be less than the lagging thickness ", display__display($bound(self.lagging, "thickness"), "length")), "Give the depth worn off, on radius.", undefined, "across.worn_depth", display__display($bound(worn, "largest"), "length")));
 }
 limits__raise_all(problems);
 }
@@ -7516,11 +7551,11 @@ const self = this; let given, long, message;
 (long = display__display($bound(self, "length"), "length"));
 if (($b.abs($bound(self, "lift")) >= self.length)) {
 (given = display__display($bound(self, "lift"), "length"));
-yield new Problem(("" + "must be less than the length, " + $str(long)), undefined, undefined, "lift", given);
+yield new Problem(("" + "must be less than the length " + $str(long)), undefined, undefined, "lift", given);
 }
 if ((self.take_up_distance > self.length)) {
 (given = display__display($bound(self, "take_up_distance"), "length"));
-(message = ("" + "is more than the length, " + $str(long) + ", which is the tail"));
+(message = ("" + "must be at most the length " + $str(long)));
 yield new Problem(message, undefined, undefined, "take_up_distance", given);
 }
 if (((self.secondary_resistance == null) && (self.length_coefficient == null))) {
@@ -7574,7 +7609,7 @@ const self = this; let least, message, problems, remedy, state;
 
 (problems = []);
 if (((self.start_factor != null) && ($at(states, 0).pull <= 0.0))) {
-(message = "the full conveyor runs by itself, and no factor starts it");
+(message = "no factor starts a conveyor that runs by itself");
 (remedy = "Write start_time = \"20 s\" instead.");
 $m.append(problems, new Problem(message, remedy, undefined, "start_factor"));
 }
@@ -7630,7 +7665,7 @@ if ((secondary == null)) {
 (coefficient = conveyor___known($bound(self, "coefficient"), 1.0));
 (secondary = $mul($sub(coefficient, 1.0), main.total));
 (source = ("" + $str("DIN 22101:2002-08, 6.3.3: (C - 1) times the main resistance") + ", C = " + $format(coefficient, ("" + ".3g"))));
-(source = $add(source, ((self.length_coefficient == null) ? "" : " (given)")));
+(source = $add(source, ((self.length_coefficient == null) ? "" : " (input)")));
 }
 yield new Resistance("secondary", $mul($sub(1.0, share), secondary), $mul(share, secondary), source);
 ([up, down] = [resistance__slope_resistance($bound(self, "lift"), loaded), $neg(resistance__slope_resistance($bound(self, "lift"), belt))]);
@@ -7727,6 +7762,9 @@ $sig(Rule, ["name", "what", "missed", "fails_beyond", "is_percent", "at_most", "
 class DesignFriction extends $Object {
 }
 $sig(DesignFriction, ["standard", "surface", "condition", "friction", "provenance"], false, {});
+class KeyFigure extends $Tuple {
+}
+$sig(KeyFigure, ["name", "better", "elsewhere"], false, {better: () => "low", elsewhere: () => []});
 class LaggingCost extends $Object {
 }
 $sig(LaggingCost, ["name", "surface", "material", "installation", "currency", "area", "life_years", "ten_year_cost", "provenance"], false, {});
@@ -7999,7 +8037,7 @@ return $c2f8b;
 }
 if (!(self.least <= $b.len(raw) && $b.len(raw) <= self.most)) {
 (count = ($truth(self.least) ? ("" + $str(self.least) + " to " + $str(self.most)) : ("" + "at most " + $str(self.most))));
-report.add(place, ("" + "must have " + $str(count) + " entries, and has " + $str($b.len(raw))));
+$method(report, "add", [place, ("" + "must have " + $str(count) + " entries")], [["value", $b.len(raw)]]);
 return $c2f8b;
 }
 (labels = kinds__table_labels(raw));
@@ -8076,7 +8114,7 @@ const self = this; let worst;
 if (($b.abs(worst) <= 0.1)) {
 return true;
 }
-report.add(place, ("" + "a deviation of the radius is expected, at most " + $str(display__display(0.1, "length"))), "Give deviations from the even radius; for those of the diameter, or diameters, write { rows = [...], on = \"diameter\" }.", quantity_text__quantity_text((worst / half), "length"));
+report.add(place, ("" + "must be a deviation of radius up to " + $str(display__display(0.1, "length"))), "Correct it, or write on = \"diameter\".", quantity_text__quantity_text((worst / half), "length"));
 return false;
 }
 }
@@ -8903,17 +8941,20 @@ const $ca9e4 = ["s", []];
 const $c4129 = ["degC", []];
 const $c48ee = ["1/mm", []];
 const $ce81f = ["mm3/J", []];
-const $c414b = ["J/m2", []];
+const $c13c5 = [1000000, "MJ/m2"];
+const $cc2e2 = [$c13c5];
+const $c414b = ["J/m2", $cc2e2];
 const $cb45a = [10000, "kW/m2"];
 const $c6402 = [$cb45a];
 const $c0650 = ["W/m2", $c6402];
 const $cad55 = ["rpm", []];
+const $c0dc7 = ["Hz", []];
 const $c3ec9 = ["kg", []];
 const $c9e28 = ["kg/m", []];
 const $c19db = ["t/h", []];
 const $c77e7 = ["kg m2", []];
 const $c8dba = ["", []];
-const $c0579 = new Map([["length", $c03b4], ["force", $cc67d], ["force_per_width", $ce2c9], ["spring_rate", $ce2c9], ["pressure", $c0183], ["pressure_per_length", $cb046], ["speed", $cb323f], ["angle", $c152b], ["power", $c1a85], ["torque", $cd5b6], ["area", $c2e60], ["time", $ca9e4], ["temperature", $c4129], ["per_length", $c48ee], ["wear_coefficient", $ce81f], ["energy_per_area", $c414b], ["power_per_area", $c0650], ["rotation_speed", $cad55], ["mass", $c3ec9], ["mass_per_length", $c9e28], ["mass_flow", $c19db], ["moment_of_inertia", $c77e7], ["number", $c8dba]]);
+const $c0579 = new Map([["length", $c03b4], ["force", $cc67d], ["force_per_width", $ce2c9], ["spring_rate", $ce2c9], ["pressure", $c0183], ["pressure_per_length", $cb046], ["speed", $cb323f], ["angle", $c152b], ["power", $c1a85], ["torque", $cd5b6], ["area", $c2e60], ["time", $ca9e4], ["temperature", $c4129], ["per_length", $c48ee], ["wear_coefficient", $ce81f], ["energy_per_area", $c414b], ["power_per_area", $c0650], ["rotation_speed", $cad55], ["frequency", $c0dc7], ["mass", $c3ec9], ["mass_per_length", $c9e28], ["mass_flow", $c19db], ["moment_of_inertia", $c77e7], ["number", $c8dba]]);
 const $c3dc7 = [400, "ft"];
 const $cc9da = [$c3dc7];
 const $ce165 = ["in", $cc9da];
@@ -8937,7 +8978,7 @@ const $ce38a = ["lbm", []];
 const $c7fbf = ["lbm/ft", []];
 const $c6da4 = ["lbm/h", []];
 const $ca456 = ["lbm ft2", []];
-const $cbe21 = new Map([["length", $ce165], ["force", $c4fdf], ["force_per_width", $c954e], ["spring_rate", $c8199], ["pressure", $c90b1], ["pressure_per_length", $c4989], ["speed", $cc6c2], ["angle", $c152b], ["power", $c8b51], ["torque", $c2254], ["area", $c98a4], ["time", $ca9e4], ["temperature", $cda43], ["per_length", $c59e7], ["wear_coefficient", $ca33a], ["energy_per_area", $c6d8d], ["power_per_area", $c453a], ["rotation_speed", $cad55], ["mass", $ce38a], ["mass_per_length", $c7fbf], ["mass_flow", $c6da4], ["moment_of_inertia", $ca456], ["number", $c8dba]]);
+const $cbe21 = new Map([["length", $ce165], ["force", $c4fdf], ["force_per_width", $c954e], ["spring_rate", $c8199], ["pressure", $c90b1], ["pressure_per_length", $c4989], ["speed", $cc6c2], ["angle", $c152b], ["power", $c8b51], ["torque", $c2254], ["area", $c98a4], ["time", $ca9e4], ["temperature", $cda43], ["per_length", $c59e7], ["wear_coefficient", $ca33a], ["energy_per_area", $c6d8d], ["power_per_area", $c453a], ["rotation_speed", $cad55], ["frequency", $c0dc7], ["mass", $ce38a], ["mass_per_length", $c7fbf], ["mass_flow", $c6da4], ["moment_of_inertia", $ca456], ["number", $c8dba]]);
 const $cd5a9 = new Map([["si", $c0579], ["us", $cbe21]]);
 const $c4c89 = new DimensionText("m", "a length", "1200 mm");
 const $cb7f2 = new DimensionText("N", "a force", "150 kN");
@@ -8957,12 +8998,13 @@ const $c7928 = new DimensionText("m3/J", "a wear volume per energy", "0.05 mm3/J
 const $c3ce8 = new DimensionText("J/m2", "an energy per area", "800 J/m2");
 const $c46d3 = new DimensionText("W/m2", "a power per area", "1500 W/m2");
 const $c3fd6 = new DimensionText("rad/s", "a rotation speed", "71.6 rpm");
+const $c9bfd = new DimensionText("Hz", "a frequency", "1.2 Hz");
 const $cd5cc = new DimensionText("kg", "a mass", "500 kg");
 const $c622e = new DimensionText("kg/m", "a mass per length", "22 kg/m");
 const $c5b93 = new DimensionText("kg/s", "a mass flow", "1500 t/h");
 const $c96d5 = new DimensionText("kg m2", "a moment of inertia", "2200 kg m2");
 const $c78b8 = new DimensionText("", "a plain number", "0.35");
-const $c22c8 = new Map([["length", $c4c89], ["force", $cb7f2], ["force_per_width", $ceb3f], ["spring_rate", $cb6a4], ["pressure", $c6907], ["pressure_per_length", $cabbc], ["speed", $c12ff], ["angle", $ca5a3], ["power", $ca327], ["torque", $c19d7], ["area", $cc5a9], ["time", $c9e8e], ["temperature", $c5e0b], ["per_length", $c32f4], ["wear_coefficient", $c7928], ["energy_per_area", $c3ce8], ["power_per_area", $c46d3], ["rotation_speed", $c3fd6], ["mass", $cd5cc], ["mass_per_length", $c622e], ["mass_flow", $c5b93], ["moment_of_inertia", $c96d5], ["number", $c78b8]]);
+const $c22c8 = new Map([["length", $c4c89], ["force", $cb7f2], ["force_per_width", $ceb3f], ["spring_rate", $cb6a4], ["pressure", $c6907], ["pressure_per_length", $cabbc], ["speed", $c12ff], ["angle", $ca5a3], ["power", $ca327], ["torque", $c19d7], ["area", $cc5a9], ["time", $c9e8e], ["temperature", $c5e0b], ["per_length", $c32f4], ["wear_coefficient", $c7928], ["energy_per_area", $c3ce8], ["power_per_area", $c46d3], ["rotation_speed", $c3fd6], ["frequency", $c9bfd], ["mass", $cd5cc], ["mass_per_length", $c622e], ["mass_flow", $c5b93], ["moment_of_inertia", $c96d5], ["number", $c78b8]]);
 const $c7c8f = $re("[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]+)?", "");
 const $cf327 = $re("[0-9.,'’_´`\\s+\\-−/:;]*(?:(?<=[0-9])[eE][+-]?[0-9]+)?", "");
 const $ccb7f = $re("[+-]?\\s*(?:nan|inf|infinity|∞)\\b", "i");
@@ -9192,6 +9234,10 @@ const $ce6a6 = ["mph"];
 const $ceebe = $Decimal.of("1");
 const $cad07 = $Decimal.of("0");
 const $c7f4c = new Definition($ce6a6, $ceebe, "mi/h", $cad07);
+const $c3b25 = ["Hz", "hertz"];
+const $cacd0 = $Decimal.of("1");
+const $cb554 = $Decimal.of("0");
+const $c8ea2 = new Definition($c3b25, $cacd0, "1/s", $cb554);
 const $cfa95 = ["mrad"];
 const $c2c57 = $Decimal.of("0.001");
 const $c80ad = $Decimal.of("0");
@@ -9220,11 +9266,11 @@ const $ca7a5 = ["%", "percent"];
 const $c307b = $Decimal.of("0.01");
 const $c0a42 = $Decimal.of("0");
 const $c83b1 = new Definition($ca7a5, $c307b, "", $c0a42);
-const $c50ba = [$ca016, $cac85, $c6c44, $c23b7, $c898e, $c3cf3, $c78b2, $cfead, $cc559, $cc34c, $c06a3, $c4a6d, $c2b63, $c32bf, $ccfac, $c3fb9, $cc25d, $c8a0e, $c85fe, $cf7d5, $ccd2e, $cb833, $cc894, $cb72b, $c2cce, $c6462, $cc08f, $c4056, $cfb47, $cde5a, $c7e30, $c3856, $c9971, $c6f8da, $ce4e2, $c56ee, $cf9cc, $c390e, $c1150, $cd0b2, $ca59d, $cb500, $c5f67, $c13af, $c87eb, $c7072, $cdb72, $ccb08, $c875c, $ce000, $cc241, $c8730, $c3d60, $c529e, $c7f4c, $c10f2, $c4bbe, $caf6b, $c029a, $c8cd2, $cfa62, $c83b1];
+const $c50ba = [$ca016, $cac85, $c6c44, $c23b7, $c898e, $c3cf3, $c78b2, $cfead, $cc559, $cc34c, $c06a3, $c4a6d, $c2b63, $c32bf, $ccfac, $c3fb9, $cc25d, $c8a0e, $c85fe, $cf7d5, $ccd2e, $cb833, $cc894, $cb72b, $c2cce, $c6462, $cc08f, $c4056, $cfb47, $cde5a, $c7e30, $c3856, $c9971, $c6f8da, $ce4e2, $c56ee, $cf9cc, $c390e, $c1150, $cd0b2, $ca59d, $cb500, $c5f67, $c13af, $c87eb, $c7072, $cdb72, $ccb08, $c875c, $ce000, $cc241, $c8730, $c3d60, $c529e, $c7f4c, $c8ea2, $c10f2, $c4bbe, $caf6b, $c029a, $c8cd2, $cfa62, $c83b1];
 const $cdac1 = new Map([[181, "u"], [956, "u"], [8243, "\""], [8221, "\""], [186, "°"], [183, "*"], [8901, "*"], [215, "*"], [178, "2"], [179, "3"], [8315, "-"], [185, "1"], [160, " "], [8239, " "]]);
 const $c0fad = $re("(?<over>1|[A-Za-z°%\"]+(?:\\^?-?[1-9])?(?:(?:\\s*[*.]\\s*|\\s+|-(?=[A-Za-z]))[A-Za-z°%\"]+(?:\\^?-?[1-9])?)*)?\\s*(?:/\\s*(?:(?<one>[A-Za-z°%\"]+(?:\\^?-?[1-9])?)|\\(\\s*(?<under>[A-Za-z°%\"]+(?:\\^?-?[1-9])?(?:(?:\\s*[*.]\\s*|\\s+|-(?=[A-Za-z]))[A-Za-z°%\"]+(?:\\^?-?[1-9])?)*)\\s*\\)))?", "");
 const $c09cc = $re("([A-Za-z°%\"]+)(?:\\^?(-?[1-9]))?", "");
-const $c5fbb = ["length", "force", "force_per_width", "spring_rate", "pressure", "pressure_per_length", "speed", "angle", "power", "torque", "area", "time", "temperature", "per_length", "wear_coefficient", "energy_per_area", "power_per_area", "rotation_speed", "mass", "mass_per_length", "mass_flow", "moment_of_inertia", "number"];
+const $c5fbb = ["length", "force", "force_per_width", "spring_rate", "pressure", "pressure_per_length", "speed", "angle", "power", "torque", "area", "time", "temperature", "per_length", "wear_coefficient", "energy_per_area", "power_per_area", "rotation_speed", "frequency", "mass", "mass_per_length", "mass_flow", "moment_of_inertia", "number"];
 const $c535d = ["kind", "source", "date", "note"];
 const $c2aaf = $made(Provenance, $c535d, ["given", "", "", "from the coordinates of the pulleys"]);
 const $cf50e = [$cdc1c, $c25c2, $cdb8f, $c490f, $c1441];
@@ -9376,14 +9422,14 @@ const $ccce2 = [$cb73a, $c34bd, $ce3f2, $cb10e, $c750b, $cfe86, $c2dd7, $c141c, 
 const $ca19c = new Map([["format", $cb73a], ["title", $c34bd], ["description", $ce3f2], ["creep_limit", $cb10e], ["condition", $c750b], ["belt", $cfe86], ["pulley", $c2dd7], ["lagging", $c141c], ["load_case", $c7c86], ["conveyor", $c8364], ["take_up", $cdc1c], ["design_standard", $c25c2], ["safety_factor", $cdb8f], ["sag", $c490f], ["covered", $c1441], ["train", $cf664], ["motion", $cb32b]]);
 const $c8e8b = $made(tables$Table, $cc03e, [Drive, $ccce2, $ca19c]);
 const $ca366 = $re("[A-Za-z0-9_-]{1,60}", "");
-const $c4a3b = new Map([["The pulley carries its load.", true], ["Breakaway: no creep makes enough friction for this tension ratio. Raise the slack-side tension (take-up), enlarge the wrap angle, or choose a lagging with more friction.", false], ["The solver did not reach its accuracy on this arc. Please report the drive file; until then change a value slightly.", false], ["The drives carry the load.", true], ["Breakaway: a drive cannot hold its part of the load. Raise the slack-side tension (take-up), bring the speeds closer together, or choose a lagging with more friction.", false], ["No operating point: a motor would have to work beyond its curve. Change its set speed or gear, or choose another motor.", false], ["The solver did not reach its accuracy on this train. Please report the drive file; until then change a value slightly.", false]]);
+const $cc303 = new Map([["The pulley transmits its load.", true], ["Gross slip: no creep gives enough friction for this tension ratio. Raise the slack-side tension (take-up), increase the wrap angle, or choose a lagging with more friction.", false], ["The solver did not reach its accuracy on this arc. Please report the drive file; until then change a value slightly.", false], ["The drives transmit the load.", true], ["Gross slip: a drive cannot transmit its share of the load. Raise the slack-side tension (take-up), bring the speeds closer together, or choose a lagging with more friction.", false], ["No operating point: a motor would have to work outside its curve. Change its set speed or gear, or choose another motor.", false], ["The solver did not reach its accuracy on this train. Please report the drive file; until then change a value slightly.", false]]);
 const $cf933 = new Map([["illustrative", "illustrative: it describes no real product"], ["calibrated", "calibrated: it was fitted to a known result"]]);
 const $c5dd1 = ["illustrative", "calibrated", "estimated"];
 const $c8123 = new WeakMap();
 const $cd857 = ["Gross slip: one drive cannot transmit its share", "gross slip", ""];
 const $c6b46 = ["Motor limit reached: no operating point", "motor limit", "Try another speed or motor."];
 const $c7df9 = ["No solution", "not solved", "Do not use this result. Report the drive file."];
-const $c3340 = new Map([["Breakaway: a drive cannot hold its part of the load. Raise the slack-side tension (take-up), bring the speeds closer together, or choose a lagging with more friction.", $cd857], ["No operating point: a motor would have to work beyond its curve. Change its set speed or gear, or choose another motor.", $c6b46], ["The solver did not reach its accuracy on this train. Please report the drive file; until then change a value slightly.", $c7df9]]);
+const $c3340 = new Map([["Gross slip: a drive cannot transmit its share of the load. Raise the slack-side tension (take-up), bring the speeds closer together, or choose a lagging with more friction.", $cd857], ["No operating point: a motor would have to work outside its curve. Change its set speed or gear, or choose another motor.", $c6b46], ["The solver did not reach its accuracy on this train. Please report the drive file; until then change a value slightly.", $c7df9]]);
 const $cc967 = ["name", "what", "missed", "fails_beyond", "is_percent", "at_most", "dimension", "tension", "binding", "firm", "result", "value", "allowed", "limit", "rounded", "text", "find_checks"];
 const $cb138 = $made(Rule, $cc967, ["train_balance", "the balance of the train", "INTERNAL ERROR", NaN, false, true, "number", "", false, null, "", null, null, null, null, null, null]);
 const $c625f = new Map([[false, "Motor torque, running"], [true, "Motor torque, momentary"]]);
@@ -9580,40 +9626,40 @@ const $c9b38 = [0.5, 0.5];
 const $cbe15 = $made(Provenance, $c535d, ["published", "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", "", "dimpled ceramic"]);
 const $c16b7 = $made(DesignFriction, $c9a2a, ["CEMA", "ceramic", "", $c9b38, $cbe15]);
 const $c4611 = [0.35, 0.4];
-const $c477c = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
+const $c477c = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (edition not stated there; that of the resistances here is 2002-08)", "", ""]);
 const $c1654 = $made(DesignFriction, $c9a2a, ["DIN 22101", "bare", "dry", $c4611, $c477c]);
 const $ca372 = [0.1, 0.1];
-const $c0934 = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
+const $c0934 = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (edition not stated there; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
 const $c069c = $made(DesignFriction, $c9a2a, ["DIN 22101", "bare", "wet", $ca372, $c0934]);
 const $c49b6 = [0.05, 0.1];
-const $c9adb = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
+const $c9adb = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (edition not stated there; that of the resistances here is 2002-08)", "", ""]);
 const $cd73e = $made(DesignFriction, $c9a2a, ["DIN 22101", "bare", "wet and dirty", $c49b6, $c9adb]);
 const $c4d91 = [0.4, 0.45];
-const $c60f9 = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "herringbone grooves"]);
+const $c60f9 = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (edition not stated there; that of the resistances here is 2002-08)", "", "herringbone grooves"]);
 const $c8dc3 = $made(DesignFriction, $c9a2a, ["DIN 22101", "rubber", "dry", $c4d91, $c60f9]);
 const $c22784 = [0.35, 0.35];
-const $c3568 = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "herringbone grooves; single value, partly from IS 11592 and REMA"]);
+const $c3568 = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (edition not stated there; that of the resistances here is 2002-08)", "", "herringbone grooves; single value, partly from IS 11592 and REMA"]);
 const $c465b = $made(DesignFriction, $c9a2a, ["DIN 22101", "rubber", "wet", $c22784, $c3568]);
 const $cfda2 = [0.25, 0.3];
-const $c76e9 = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "herringbone grooves"]);
+const $c76e9 = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (edition not stated there; that of the resistances here is 2002-08)", "", "herringbone grooves"]);
 const $c4544 = $made(DesignFriction, $c9a2a, ["DIN 22101", "rubber", "wet and dirty", $cfda2, $c76e9]);
 const $cc087 = [0.35, 0.4];
-const $c77e2 = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
+const $c77e2 = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (edition not stated there; that of the resistances here is 2002-08)", "", ""]);
 const $caf0d = $made(DesignFriction, $c9a2a, ["DIN 22101", "polyurethane", "dry", $cc087, $c77e2]);
 const $c2cc9 = [0.35, 0.35];
-const $c81c0 = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
+const $c81c0 = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (edition not stated there; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
 const $c33d6 = $made(DesignFriction, $c9a2a, ["DIN 22101", "polyurethane", "wet", $c2cc9, $c81c0]);
 const $c46cd = [0.2, 0.2];
-const $c2070 = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
+const $c2070 = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (edition not stated there; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
 const $c4015 = $made(DesignFriction, $c9a2a, ["DIN 22101", "polyurethane", "wet and dirty", $c46cd, $c2070]);
 const $cf072 = [0.4, 0.45];
-const $c269e = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
+const $c269e = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (edition not stated there; that of the resistances here is 2002-08)", "", ""]);
 const $c762e = $made(DesignFriction, $c9a2a, ["DIN 22101", "ceramic", "dry", $cf072, $c269e]);
 const $c3458 = [0.35, 0.4];
-const $ce9fa = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
+const $ce9fa = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (edition not stated there; that of the resistances here is 2002-08)", "", ""]);
 const $c2a06 = $made(DesignFriction, $c9a2a, ["DIN 22101", "ceramic", "wet", $c3458, $ce9fa]);
 const $c2dad = [0.35, 0.35];
-const $cc356 = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
+const $cc356 = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (edition not stated there; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
 const $c4014 = $made(DesignFriction, $c9a2a, ["DIN 22101", "ceramic", "wet and dirty", $c2dad, $cc356]);
 const $c99d3 = [0.35, 0.35];
 const $cb0d4 = $made(Provenance, $c535d, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "diamond rubber"]);
@@ -9640,8 +9686,30 @@ const $c9629 = $made(Rule, $cc967, ["usual_sizes", "an implausible input", "ATTE
 const $c376b = $made(Rule, $cc967, ["motor_heat", "the heating limit of a motor", "ATTENTION", NaN, false, true, "time", "", true, null, "", null, null, null, null, null, null]);
 const $c1dc5 = new Map([["belt_thickness", $c13e8], ["gross_slip", $c84c4], ["design_standard", $c960d], ["creep", $cc27f], ["cover_creep", $c8a85], ["creep_interval", $cef26], ["wet_creep", $c2e75], ["belt_tension", $c8994], ["momentary_tension", $c5c30], ["belt_safety", $c25bf], ["face_pressure", $c72eb], ["bond_stress", $ce298], ["fatigue_stress", $cb3d1], ["tested_pressure_max", $cc16f], ["tested_pressure_min", $cfecd], ["condition", $cabd6], ["fit", $c3f6d], ["tested_slip", $c5a91], ["tested_slip_speed", $c5d85], ["balance", $c0d6e], ["sag", $c8634], ["taut", $c75f4], ["pulley_diameter", $ca865], ["usual_sizes", $c9629], ["motor_load", $c0dbc], ["momentary_load", $c58a5], ["motor_heat", $c376b], ["train_balance", $cb138]]);
 const $c80d9 = ["Value", "Limit", "Used", "Status"];
-const $c9028 = new Map([["distributed", "distributed"], ["paper", "paper's march"]]);
+const $c9028 = new Map([["distributed", "distributed"], ["paper", "paper's integration"]]);
 const $c450e = new WeakMap();
+const $ce893 = ["short", "arcs", "tiles", "compare"];
+const $c80d8 = new KeyFigure("entry_tension", "", $ce893);
+const $c357c = new KeyFigure("exit_tension", "", $ce893);
+const $c025a = new KeyFigure("effective_tension", "", $ce893);
+const $cfc1b = ["short", "arcs", "drives", "compare", "changes"];
+const $c6e16 = new KeyFigure("tension_ratio", "", $cfc1b);
+const $cde27 = ["short", "arcs"];
+const $c614b = new KeyFigure("exit_creep", "low", $cde27);
+const $c7619 = ["short", "drives", "compare"];
+const $ce6ba = new KeyFigure("exit_slip", "", $c7619);
+const $c5a50 = ["tiles"];
+const $c9acc = new KeyFigure("peak_shear_stress", "low", $c5a50);
+const $ced8c = ["short", "drives"];
+const $c3595 = new KeyFigure("peak_shear_angle", "low", $ced8c);
+const $c100f = ["short", "drives", "compare", "changes"];
+const $cfd95 = new KeyFigure("mean_friction", "", $c100f);
+const $cf709 = ["short", "changes"];
+const $c682b = new KeyFigure("creep_limit_margin", "high", $cf709);
+const $cf438 = new KeyFigure("equivalent_friction", "", $c7619);
+const $cf343 = new KeyFigure("power_loss", "low", []);
+const $c3b87 = [$c80d8, $c357c, $c025a, $c6e16, $c614b, $ce6ba, $c9acc, $c3595, $cfd95, $c682b, $cf438, $cf343];
+const $c4e7c = ["entry_tension", "exit_tension", "effective_tension", "tension_ratio", "exit_creep", "exit_slip", "peak_shear_stress", "peak_shear_angle", "mean_friction", "active_arc", "k_factor", "stuck_arc", "outside_tested_share", "creep_limit_capacity", "creep_limit_margin", "equivalent_friction", "tested_slip_capacity", "gross_slip_capacity", "transmitted_power", "sliding_power", "shear_loss", "power_loss", "efficiency", "frictional_energy", "wear_rate"];
 const $c3f74 = ["name", "surface", "material", "life_years", "provenance"];
 const $c37a3 = [1, 2];
 const $cba33 = $made(Provenance, $c535d, ["published", "Elastotec, lagging comparison, elastotec.com.au/lagging-comparison", "", "life of ceramic: over 10 years; the vendor's own assumptions; currency not stated there, AUD assumed"]);
@@ -9785,7 +9853,7 @@ const $cf701 = $made(Limit, $cf70d, ["number", 0.0, 10.0, true, false]);
 const $c7f0e = $made(Quantity, $cd20a, ["number", $cf701]);
 const $c7fde = $made(Limit, $cf70d, ["rotation_speed", 0.0, Infinity, true, false]);
 const $c3520 = $made(Quantity, $cd20a, ["rotation_speed", $c7fde]);
-const $c87f2 = $made(Either, $cab55, [$c7f0e, $c3520, "a trim like \"99.7 %\" or a drum speed like \"71.6 rpm\""]);
+const $c87f2 = $made(Either, $cab55, [$c7f0e, $c3520, "a trim like \"99.7 %\" or a pulley speed like \"71.6 rpm\""]);
 const $cd950 = $made(Rows, $ce552, [$c87f2, 1, 10]);
 Problem.$compared = Problem.$names;
 $sig(InputError, ["problems"], false);
@@ -9799,7 +9867,7 @@ Condition.LIMITS = Condition.prototype.LIMITS = $c6e1f;
 Conditions.$compared = Conditions.$names;
 Point.$compared = Point.$names;
 Point.LIMITS = Point.prototype.LIMITS = $c25b9;
-$sig(_UnitTextError, ["message", "remedy"], false);
+$sig(_UnitTextError, ["message", "remedy", "name", "meant"], false);
 Unit.$compared = Unit.$names;
 UnitRow.$compared = UnitRow.$names;
 WidthProfile.$compared = WidthProfile.$names;
@@ -9904,6 +9972,7 @@ Sag.LIMITS = Sag.prototype.LIMITS = $c2d0e;
 Conveyor.$compared = Conveyor.$names;
 Conveyor.LIMITS = Conveyor.prototype.LIMITS = $ccebb;
 DesignFriction.$compared = DesignFriction.$names;
+KeyFigure.$compared = KeyFigure.$names;
 LaggingCost.$compared = LaggingCost.$names;
 Cost.$compared = Cost.$names;
 Cost.LIMITS = Cost.prototype.LIMITS = $c75fc;

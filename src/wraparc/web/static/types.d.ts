@@ -33,6 +33,7 @@ export interface Form {
   criteria: string[];
   units: Record<string, any>;
   glossary: Record<string, any>;
+  key_figures: { name: string; better: string; elsewhere: string[] }[];
 }
 /** A number of a text. */
 export type Cell = Partial<api.NumberInText>;

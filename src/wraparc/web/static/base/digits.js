@@ -25,3 +25,5 @@ export const exponentOf = (text) => +text.split("e")[1];
 export const decimal = (x, digits) => x.toFixed(digits);
 /** @param {string} text */
 export const trimmed = (text) => text.replace(/(\.\d*?)0+$/, "$1").replace(/\.$/, "");
+/** Whole digits in groups of three. @param {string} text */
+export const grouped = (text) => text.replace(/\B(?=(\d{3})+$)/g, ",");

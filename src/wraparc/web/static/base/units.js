@@ -24,6 +24,12 @@ export const factor = (name, dimension) => app.form.units[dimension]?.factors?.[
 export const dimensionOf = (name) => app.form.glossary[name]?.dimension || "number";
 /** @param {string} name @returns {string} */
 export const title = (name) => app.form.glossary[name]?.title || name;
+/** Names of the key figures that have a place of their own there, in their order.
+ * @param {string} place @returns {string[]} */
+export const keyFigures = (place) =>
+  app.form.key_figures
+    .filter(({ elsewhere }) => !elsewhere.includes(place))
+    .map(({ name }) => name);
 /** @param {string} name */
 export const symbol = (name) => sign(app.form.glossary[name]?.symbol);
 
@@ -64,12 +70,19 @@ export function words(text) {
   });
   return parts.join("") + all.slice(text.cells.at(-1)?.at[1]).join("");
 }
+/** A number beside another: without its unit, where that has the same.
+ * @param {Text} text @param {Text} other */
+export function besideUnit(text, other) {
+  const shown = words(text);
+  const at = shown.indexOf(" ");
+  return at > 0 && words(other).endsWith(shown.slice(at)) ? shown.slice(0, at) : shown;
+}
 // biome-ignore lint/suspicious/noControlCharactersInRegex: what no other text holds
 const SLOT = /\x02([a-z_]+)\|([1-9]\d?)\|([a-z -]*)\|([^|]+)\|([^|]+)\|\w*\x03/g;
 /** @param {import("../types.d.ts").Cell} cell */
-const inUnits = ({ value, name = "", dimension, digits = 3, form = "", from, apart }) =>
+const inUnits = ({ value, name = "", dimension, digits = 3, form = "", from, apart, error }) =>
   cellText(
-    ...[value, dimension ?? dimensionOf(name), digits, form, from ?? apart ?? Number.NaN],
+    ...[value, dimension ?? dimensionOf(name), digits, form, from ?? apart ?? error ?? Number.NaN],
     app.units,
   );
 

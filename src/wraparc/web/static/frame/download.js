@@ -8,7 +8,7 @@ export async function download() {
   const { doc, source } = app;
   const kept = source && rewritten(source.toml, source.document, doc);
   if (source?.toml.includes("#") && kept === null)
-    note("The comments of the file that was opened are not kept: too much has changed.");
+    note("Comments of the opened file are dropped: too much has changed.");
   const toml = kept ?? (await ask("toml/write", { document: doc })).toml;
   save(`${fileName()}.toml`, toml, "application/toml");
 }

@@ -39,10 +39,10 @@ export function fileMenu() {
     item("Print", () => print()),
     h("p", { class: "help", key: "examples" }, "Examples"),
     app.catalogue.examples.map((x) => item(x.title, () => openExample(x.name))),
-    kept.length > 0 && h("p", { class: "help", key: "drafts" }, "Drafts kept in this browser"),
+    kept.length > 0 && h("p", { class: "help", key: "drafts" }, "Drafts saved in this browser"),
     kept.map((d) => item(draftTitle(d), () => openDraft(d))),
     drafts().length > 0 &&
-      item("Forget all drafts", () => {
+      item("Delete all drafts", () => {
         forgetDrafts();
         redraw();
       }),

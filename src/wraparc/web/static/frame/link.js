@@ -21,7 +21,7 @@ async function copyLink() {
 export async function copied() {
   const left = await copyLink();
   const without = app.source?.toml.includes("#") ? ", without the comments of its file" : "";
-  if (!left) return note(`The link is on the clipboard; it holds the whole design${without}.`);
+  if (!left) return note(`The link is on the clipboard; it contains the whole design${without}.`);
   const mark = (/** @type {any} */ e) => e.currentTarget.select();
   const box = {
     type: "text",
@@ -58,7 +58,7 @@ export async function openLink() {
     if (had) note("The design of the link is open; Undo brings back the one before.");
     return true;
   } catch {
-    note("The link holds no design that can be read: it may have been cut short.", true);
+    note("The link contains no readable design: it may have been cut short.", true);
     return false;
   }
 }

@@ -70,7 +70,7 @@ const OPEN = {
   choose(_, name) {
     throw new Advice(
       `${name} asks which lagging to buy. The command runs it, wraparc choose ${name}; here ` +
-        "the question Which design costs least? asks it of the drive that is open.",
+        "the question Which design has the lowest cost? applies it to the open drive.",
     );
   },
   calibrate(_, name) {

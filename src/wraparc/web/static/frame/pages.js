@@ -58,10 +58,10 @@ function bars() {
   const bar = app.gone ? app.page !== "drive" && GONE_BAR : app.newer ? NEWER : app.lacks && LACKS;
   return [bar && told(...bar), offered.draft && offer(offered.draft)];
 }
-const KEPT = " The drive, as typed, is kept in this browser.";
+const KEPT = " The drive is saved in this browser as typed.";
 /** @typedef {[string, string, string, () => void]} Bar */
 /** @type {Bar} */
-const GONE_BAR = [GONE, AGAIN, "Ask now", askAgain];
+const GONE_BAR = [GONE, AGAIN, "Calculate", askAgain];
 const reload = () => location.reload();
 /** @type {Bar} */
 const NEWER = ["The calculator is of another version now.", "", "Reload", reload];
@@ -88,7 +88,7 @@ function offer(draft) {
   return h(
     "div",
     { class: "card aside", role: "note", key: "draft" },
-    h("p", {}, `A draft is kept in this browser: ${draftTitle(draft)}.`),
+    h("p", {}, `A draft is saved in this browser: ${draftTitle(draft)}.`),
     h(
       "p",
       { class: "inline" },

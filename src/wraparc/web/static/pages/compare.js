@@ -84,7 +84,7 @@ export const Page = () => [
     "p",
     { class: "help", key: "help" },
     "The drive of the first page, everything else unchanged. ",
-    "Press a heading to sort, a star to keep a row on top; " +
+    "Press a heading to sort, a star to fix a row on top; " +
       "bold is best among the rows that are OK.",
   ),
   bar(),
@@ -191,7 +191,7 @@ function result(a) {
 /** Creep against cost, where rows have both and do not all cost the same. @param {Comparison} a */
 function dots(a) {
   const found = a.rows.flatMap((r) => {
-    const { creep, cost_total, of_limit } = r.cells;
+    const { exit_creep: creep, cost_total, of_limit } = r.cells;
     if (creep?.value == null || !cost_total?.value || !of_limit?.value) return [];
     const [name, limit] = [label(r), Math.abs(creep.value) / of_limit.value];
     const told = `${name} ${words(creep.text)}, ${words(cost_total.text)}`;

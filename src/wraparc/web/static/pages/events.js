@@ -130,16 +130,16 @@ function says(run) {
   if (job?.state === "failed") return notComputed("Not followed.", job.problems, again());
   if (state.problems.length) return notComputed("Not followed.", state.problems, again());
   if (job?.state === "cancelled") return silent("Cancelled.", "", again());
-  if (!run) return silent(`Does it hold at ${plan.event}? Not run yet.`, "", again());
+  if (!run) return silent(`Event ${plan.event}: not run yet.`, "", again());
   if (now(run) === "fresh") return saying("fresh", run.run.verdict);
-  const changed = run.of !== app.doc ? "The design changed." : "Another event is asked for.";
-  return silent(changed, "Below is the run before.", again());
+  const changed = run.of !== app.doc ? "The design changed." : "Another event is selected.";
+  return silent(changed, "Previous run.", again());
 }
 const intro = () =>
   h(
     "p",
     { class: "help intro", key: "intro" },
-    "The drive stands here once it is solved, and is played once an event has run.",
+    "The drive appears here once it is solved, and plays once an event has run.",
   );
 /** What is run. */
 function asking() {
@@ -239,9 +239,9 @@ const now = (job) =>
   standing(job.of === app.doc && job.by === asked(job.what), state.problems, false);
 /** @param {Job} job */
 const told = (job) => [
-  h("h2", { key: "asked" }, `${job.title}: does it hold?`),
+  h("h2", { key: "asked" }, `${job.title}: does the drive pass?`),
   h("div", { key: "run" }, verdict(judgedIf(now(job), job.run.verdict))),
-  h("h2", { key: "pulsates" }, "Will it pulsate?"),
+  h("h2", { key: "pulsates" }, "Is the drive stable?"),
   h("div", { key: "stability" }, verdict(judgedIf(now(job), job.stability.verdict))),
   job.note && h("p", { class: "help", key: "note" }, job.note),
   h(
@@ -280,14 +280,14 @@ function pictures() {
     h(
       "div",
       { class: "bar" },
-      h("button", draw("stability"), "Draw how run-out becomes pull (Bode)"),
+      h("button", draw("stability"), "Plot Te against run-out (Bode)"),
       h("label", {}, "Map over", choose(plan.over, overs, put, "e-over")),
-      h("button", draw("map"), "Draw where it pulsates"),
+      h("button", draw("map"), "Plot the stability map"),
     ),
     atWork("stability", "Looking for vibrations"),
-    drawn("stability", "How the pulls and the creep answer to run-out, by frequency"),
+    drawn("stability", "Response of Te and creep to run-out, by frequency"),
     atWork("map", "Looking for vibrations over the map"),
-    drawn("map", "Where the drives pulsate by themselves"),
+    drawn("map", "Where the drives oscillate by themselves"),
   );
 }
 /** @param {What} what @param {string} alt */

@@ -283,7 +283,7 @@ function entry(d) {
       { class: "inline" },
       ...(state.bin
         ? [
-            press("Put back", "Put back", () => takeBack(d)),
+            press("Restore", "Restore", () => takeBack(d)),
             press("Delete", "Delete for good", () => remove(d)),
           ]
         : [

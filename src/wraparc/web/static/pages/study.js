@@ -139,7 +139,7 @@ function result(j, full) {
     act(async () => save(name, (await askFile(`studies/${j.id}/files/${name}`))[0]));
   const picture = (/** @type {string} */ name) => {
     const what = name.replace(/\.\w+$/, "").replace(/[-_]/g, " ");
-    const alt = `${what} of ${j.title || "the study"}; its numbers stand in the tables`;
+    const alt = `${what} of ${j.title || "the study"}; its numbers are in the tables`;
     return h("img", { src: `/api/v1/studies/${j.id}/pictures/${name}`, alt, key: name });
   };
   const now = subject(full.study, full.document) === subject(asFile(), app.doc);

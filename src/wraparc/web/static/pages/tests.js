@@ -155,11 +155,7 @@ function result(r) {
         ? h(
             "p",
             { class: "bar", key: "ready" },
-            h(
-              "button",
-              { type: "button", class: "main", onClick: use },
-              "Use it in the drive at once",
-            ),
+            h("button", { type: "button", class: "main", onClick: use }, "Apply to drive"),
             h("button", { type: "button", onClick: download }, "Download the lagging file"),
           )
         : misfit(),
@@ -196,8 +192,8 @@ const misfit = () =>
     h(
       "p",
       {},
-      "Mend, repeat or leave out the tests named below. To use the law nevertheless, say why: ",
-      "the reason stays with the lagging.",
+      "Repair, repeat or leave out the tests named below. To use the law nevertheless, ",
+      "give a reason: it is saved with the lagging.",
     ),
     h(
       "p",

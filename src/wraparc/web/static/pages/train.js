@@ -105,7 +105,7 @@ export const Page = () => {
         ? saying(how, judgedIn(a, c), more(a, c, m), action(a, c), state.problems)
         : several()
           ? saying(how, /** @type {any} */ (null), "", null, state.problems)
-          : silent("One pulley carries the whole load.", "", adding()),
+          : silent("One pulley takes the whole load.", "", adding()),
       drawing: c ? loadCase(c) : !several() && h("p", { class: "help intro" }, SHARED),
       curve: c && [
         c.reason && h("p", { class: "error", key: "reason" }, c.reason),
@@ -125,9 +125,7 @@ export const Page = () => {
     c && (PAGES.saved ? matchings(c) : h("p", { class: "help", key: "trim" }, TRIM)),
   );
 };
-const SHARED =
-  "Drives on one belt share its load: how they turn, and how exactly they must be matched, " +
-  "stands here.";
+const SHARED = "Drives on one belt share its load: their speeds and speed tolerances appear here.";
 const adding = () =>
   h("button", { type: "button", class: "main advice", onClick: addPulley }, "Add a second drive");
 /** @param {any} c @param {string} drive */
@@ -203,11 +201,10 @@ const toMatch = (c) =>
       disabled: Boolean(state.matching) || now() !== "fresh",
       onClick: act(() => match(c.load_case, trimmed(), false)),
     },
-    state.matching ? "At work …" : "Find the trim limits",
+    state.matching ? "Calculating …" : "Find the trim limits",
   );
 const TRIM =
-  "How exactly the drives must be matched is not found in this page. " +
-  "On the command line: wraparc trim FILE.";
+  "This page does not calculate speed tolerances. On the command line: wraparc trim FILE.";
 
 /** How exactly each drive must be matched. @param {any} c */
 const matchings = (c) => trimmed().map((drive) => matching(c, drive));
@@ -218,12 +215,12 @@ function matching(c, drive) {
   return h(
     "section",
     { class: "card", "aria-label": `Matching of ${drive}`, key: `match ${drive}` },
-    h("h2", {}, `How exactly ${drive} must be matched`),
+    h("h2", {}, `Speed tolerance, ${drive}`),
     !m?.map &&
       h(
         "button",
         { type: "button", disabled: Boolean(state.matching), onClick: find },
-        state.matching === drive ? "At work …" : "Draw the map of trim and load",
+        state.matching === drive ? "Calculating …" : "Draw the map of trim and load",
       ),
     state.matching === drive &&
       h("p", { class: "help", role: "status" }, "Some hundred solves: up to half a minute."),
@@ -276,9 +273,9 @@ function loadCase(c) {
     arcs.reduce((all, { numbers: n }) => all + (n[key] ?? Number.NaN), 0);
   /** @type {[string, string][]} */
   const figures = [
-    ["Pull", "effective_tension"],
+    ["Effective tension Te", "effective_tension"],
     ["Power", "transmitted_power"],
-    ["Lost to creep", "power_loss"],
+    ["Power lost to creep", "power_loss"],
   ];
   const told = figures.filter(([, key]) => Number.isFinite(sum(key)));
   return [

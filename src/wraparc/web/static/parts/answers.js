@@ -7,7 +7,7 @@ import { Component, h } from "../vendor/preact.js";
 
 /** @import { Children, Level, Problem, Table, TableRow, Text, Verdict } from "../types.d.ts" */
 
-export const BELOW = "Below is the answer before the change.";
+export const BELOW = "Inputs changed.";
 /** Class and sign of each level. @type {Record<string, [string, string]>} */
 const LEVELS = {
   "NOT CHECKED": ["", "–"],

@@ -37,7 +37,7 @@ export const parted = (fields, keys) => [
 ];
 
 /** What is said of a field that is empty, and is no mistake. */
-export const NEEDED = "Still needed.";
+export const NEEDED = "Missing.";
 /** Names of the fields on the pages by the place they show: which problems have a field. */
 export const shownFields = /** @type {Map<string, string[]>} */ (new Map());
 /** @param {Path} path */

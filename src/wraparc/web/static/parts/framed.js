@@ -98,7 +98,7 @@ export function checked(page, found) {
   if (!found)
     return [
       h("h2", { key: "head" }, "Checks", h("span", {}, "not run")),
-      h("p", { class: "why", key: "none" }, "They come with the answer."),
+      h("p", { class: "why", key: "none" }, "No result yet."),
     ];
   const titles = new Set();
   const bars = /** @type {Checked[]} */ (worstFirst(found))
@@ -106,14 +106,14 @@ export function checked(page, found) {
     .map((b) => ({ ...b, title: b.pulley ? `${b.title}, ${b.pulley}` : b.title }));
   const one = bars.find((b) => b.title === chosen.check) ?? bars[0];
   const missed = bars.filter((b) => b.level !== "OK").length;
-  const kept = missed ? `${missed} of ${bars.length} not kept` : "all kept";
+  const passed = `${bars.length - missed} of ${bars.length} pass`;
   const worst = bars.some((b) => b.pulley) ? " · at the worst drive" : "";
   const put = (/** @type {Bar} */ b) => () => {
     chosen.check = b.title;
     redraw();
   };
   return [
-    h("h2", { key: "head" }, "Checks", bars.length > 0 && h("span", {}, kept, worst)),
+    h("h2", { key: "head" }, "Checks", bars.length > 0 && h("span", {}, passed, worst)),
     h(
       "ul",
       { class: "list", key: "list" },

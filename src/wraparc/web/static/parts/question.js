@@ -83,7 +83,7 @@ export class Question {
         "form",
         { class: "bar", onSubmit: submit },
         fields,
-        h("button", { class: "main" }, "Show"),
+        h("button", { class: "main" }, "Calculate"),
         h("button", { type: "button", onClick: this.close }, "Close"),
         h("span", { role: "status" }, this.busy && "Solving …"),
       ),

@@ -90,7 +90,7 @@ function profile(i) {
             },
           },
           k.title,
-          h("span", { class: "mark", style: given(k.key) }, "given"),
+          h("span", { class: "mark", style: given(k.key) }, "input"),
         ),
       ),
     ),

@@ -217,7 +217,7 @@ function lagging(answer) {
     "Pulley",
     answer.map.position,
     curves,
-    `Less than the largest [${u}]`,
+    `Difference from the maximum [${u}]`,
     undefined,
     true,
   );

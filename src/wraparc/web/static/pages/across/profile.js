@@ -18,7 +18,7 @@ export const KINDS = [
   { key: "shell_profile", title: "Shell", what: "Radius", dimension: "length", sign: "up" },
   {
     key: "entry_profile",
-    title: "Uneven pull",
+    title: "Uneven tension",
     what: "Tension",
     dimension: "force_per_width",
     sign: "up",

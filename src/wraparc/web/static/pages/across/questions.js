@@ -18,12 +18,13 @@ import { askedCase } from "../drive/cases.js";
 /** @type {Record<string, Question>} */
 const QUESTIONS = {
   wear: {
-    title: "Will the wear heal, and when to re-lag?",
+    title: "When is re-lagging due?",
     button: "Wear it on",
     path: "across/wear",
     help:
-      "Each strip wears by its frictional energy, until the thinnest is down to the thickness " +
-      "given. Hours run since the lagging was new tell how fast, if its wear coefficient does not.",
+      "Each strip wears by its frictional energy, until the thinnest reaches the re-lagging " +
+      "thickness. Without a wear coefficient, the rate follows from the hours run since the " +
+      "lagging was new.",
     given: [
       { key: "least_thickness", label: "Re-lag at", value: "3 mm" },
       { key: "hours", label: "Hours run so far", value: "", placeholder: "not known" },

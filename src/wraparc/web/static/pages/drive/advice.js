@@ -91,7 +91,7 @@ const DIVIDED_ANEW =
 function slackSide(only) {
   const arcs = known()?.arcs.filter((a) => only === undefined || a.load_case === only) ?? [];
   const first = arcs.map((a) => (a.numbers.effective_tension ?? 0) < 0);
-  return first.every(Boolean) ? "T1" : first.some(Boolean) ? "the slack side" : "T2";
+  return first.every(Boolean) ? "T1" : first.some(Boolean) ? "the slack-side tension" : "T2";
 }
 /**
  * A button that raises the slack side to what the checks ask for; none where they give no number.
@@ -112,8 +112,8 @@ export function raise(tension, only) {
   const apply = () => {
     change(train ? raisedTrain(app.doc, least) : raised(app.doc, 0, least, only));
     noteUndo(
-      `${side[0].toUpperCase()}${side.slice(1)} is at least ${shown} now ${where}; `,
-      "the pull is as it was. ",
+      `${side[0].toUpperCase()}${side.slice(1)} is now ${shown} or more ${where}; `,
+      "Te is unchanged. ",
     );
   };
   const of = only === undefined && several ? " in every load case" : "";

@@ -83,7 +83,7 @@ const casesOf = (doc) => (doc.load_case ?? []).map((/** @type {any} */ c) => c.c
 /** What is said of a law that the book does not have. @param {any} pulley @returns {Problem} */
 const unknownLaw = ({ name, lagging }) =>
   left(
-    `this page was not made with lagging ${lagging.name} as it is here. ${OTHERS}`,
+    `this page was made without this version of lagging ${lagging.name}. ${OTHERS}`,
     placeOf(name),
   );
 /** @param {string} pulley */
@@ -162,5 +162,4 @@ const lawIn = ({ kind, edges, coefficients, slips, onset_compliance }) => ({
   onset_compliance: +onset_compliance,
 });
 export const NO_PULL =
-  "no pull to carry, both tensions are equal; this page judges drives that pull, " +
-  "wraparc solve does others";
+  "Te is zero: both tensions are equal; wraparc solve solves idle drives, this page does " + "not";

@@ -34,7 +34,7 @@ export class BySource {
     const partsOf = (/** @type {Record<string, number>} */ m) => PARTS.map((k) => m[k] / f);
     const bars = [{ label: "distributed", parts: partsOf(n) }];
     const march = marched();
-    if (march) bars.push({ label: "paper's march", parts: partsOf(march.numbers) });
+    if (march) bars.push({ label: "paper's integration", parts: partsOf(march.numbers) });
     if (alongside.pinned) bars.push({ label: "pinned", parts: partsOf(alongside.pinned.numbers) });
     const names = ["belt shrinkage", "lagging compression", "global creep"];
     const legend = PARTS.map((k, i) => {

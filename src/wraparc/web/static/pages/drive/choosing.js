@@ -29,7 +29,7 @@ function hours() {
   const given = caseNames(app.doc).filter((name) => said.hours[name]?.trim());
   return Object.fromEntries(given.map((name) => [name, numberOf(said.hours[name])]));
 }
-const question = new Question("choosing", "Which design costs least?", "choose", () => {
+const question = new Question("choosing", "Which design has the lowest cost?", "choose", () => {
   const slack = said.slack_tensions.trim();
   const least = slack === "least";
   return {
@@ -125,7 +125,7 @@ export const panel = () =>
     text("thicknesses", "Thicknesses", "10; 12; 15 mm"),
     text("diameters", "Diameters", "800; 1000 mm"),
     text("wrap_angles", "Wrap angles", "180; 210 deg"),
-    text("slack_tensions", "Slack-side tensions", "least, or 60; 80 kN"),
+    text("slack_tensions", "Slack-side tensions", "minimum, or 60; 80 kN"),
     text("currency", "Currency", "", 5),
     text("years", "Years", "", 4),
     text("tariff", "Price of a kWh", "energy left out", 12),

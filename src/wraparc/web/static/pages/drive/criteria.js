@@ -30,7 +30,7 @@ function row(table, s) {
     slider: false,
     placeholder: "",
     ...(s.key === "after" && {
-      choices: [{ choices: [["", "on the slack side of all"], ...names] }],
+      choices: [{ choices: [["", "at T2 of the last drive"], ...names] }],
     }),
     put: (value) => {
       const next = { ...app.doc[table], [s.key]: value };

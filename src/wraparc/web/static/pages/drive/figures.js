@@ -1,5 +1,15 @@
 // Key figures of the arc on the screen, and the reading at one place of it.
-import { digits, percent, show, shown, symbol, title, words } from "../../base/units.js";
+import {
+  digits,
+  dimensionOf,
+  keyFigures,
+  percent,
+  show,
+  shown,
+  symbol,
+  title,
+  words,
+} from "../../base/units.js";
 import { levelClass } from "../../parts/answers.js";
 import { h } from "../../vendor/preact.js";
 import { known, wholeArc } from "./solving.js";
@@ -7,34 +17,26 @@ import { known, wholeArc } from "./solving.js";
 /** @import { Children, Level, QuickAnswer } from "../../types.d.ts" */
 /** @typedef {{name: string, value: string, small: string, level?: Level, late?: boolean}} Figure */
 
-/** Figures of the arc that the quick answer has. @param {QuickAnswer} arc @returns {Figure[]} */
-function quickFigures(arc) {
-  const n = arc.numbers;
-  const p = arc.profile.wrap_pressure;
-  const peakAt = shown("peak_shear_position", n.peak_shear_position);
-  const stuck = `at rest over ${shown("stuck_arc", n.stuck_arc, 3)}`;
-  return [
-    {
-      name: "Peak shear angle",
-      value: shown("peak_shear_angle", n.peak_shear_angle),
-      small: `${shown("peak_shear_stress", n.peak_shear_stress)} at ${peakAt}`,
-    },
-    {
-      name: "Tension ratio T1/T2",
-      value: digits(n.tension_ratio),
-      small: `pull ${shown("effective_tension", n.effective_tension)}`,
-    },
-    { name: "Mean friction", value: digits(n.mean_friction), small: "over the whole wrap" },
-    {
-      name: "Wrap pressure",
-      value: shown("wrap_pressure", p[0], 3),
-      small: `to ${shown("wrap_pressure", p[p.length - 1], 3)}`,
-    },
-    {
-      name: "Slip at exit",
-      value: shown("exit_slip", n.exit_slip),
-      small: n.stuck_arc > 1e-9 ? stuck : "slides all along",
-    },
+/** Figures of an arc that are more than a title and a number, by their names.
+ * @type {Record<string, (n: Record<string, number | null>) => Partial<Figure>>} */
+const MORE = {
+  peak_shear_angle: (n) => ({
+    small:
+      `${shown("peak_shear_stress", n.peak_shear_stress)} at ` +
+      shown("peak_shear_position", n.peak_shear_position),
+  }),
+  tension_ratio: (n) => ({
+    name: "Tension ratio T1/T2",
+    small: `Te ${shown("effective_tension", n.effective_tension)}`,
+  }),
+  mean_friction: () => ({ small: "over the whole wrap" }),
+  exit_slip: (n) => ({
+    small:
+      (n.stuck_arc ?? 0) > 1e-9
+        ? `at rest over ${shown("stuck_arc", n.stuck_arc, 3)}`
+        : "slides all along",
+  }),
+  power_loss: (n) =>
     n.power_loss == null
       ? {
           name: "Energy per pass",
@@ -46,12 +48,38 @@ function quickFigures(arc) {
           value: shown("power_loss", n.power_loss, 3),
           small: n.efficiency == null ? "" : `efficiency ${percent(n.efficiency)}`,
         },
-  ];
+  creep_limit_margin: ({ creep_limit_capacity: ratio }) => ({
+    small: ratio == null || Number.isNaN(ratio) ? "" : `transmits a ratio of ${digits(ratio)}`,
+  }),
+  equivalent_friction: () => ({ small: "at the creep limit, beside CEMA, DIN" }),
+};
+/** Figures that only the whole solve has. */
+const LATE = ["creep_limit_margin", "equivalent_friction"];
+/** The key figures of an arc but for its creep, and what stands with them.
+ * @param {QuickAnswer} arc @param {boolean} solved @returns {Figure[]} */
+function arcFigures(arc, solved) {
+  const quick = Object.entries(arc.numbers).filter(([, value]) => value != null);
+  /** @type {Record<string, number | null>} */
+  const n = { ...wholeArc()?.numbers, ...Object.fromEntries(quick) };
+  const of = (/** @type {string} */ name) => {
+    const value = dimensionOf(name) === "number" ? digits(n[name]) : shown(name, n[name]);
+    const late = LATE.includes(name) || !(name in arc.numbers);
+    return { name: title(name), value, small: "", late, ...MORE[name]?.(n) };
+  };
+  const names = keyFigures("tiles").filter((k) => k !== "exit_creep");
+  const own = names.filter((k) => solved || LATE.includes(k)).map(of);
+  return [...own, ...(solved ? [pressureFigure(arc)] : []), leastFigure(arc)];
 }
-/** Figures that only the whole solve has: margins and least tension.
- * @param {QuickAnswer} arc @returns {Figure[]} */
-function lateFigures(arc) {
-  const m = wholeArc()?.numbers || {};
+/** The pressure at both ends. @param {QuickAnswer} arc @returns {Figure} */
+function pressureFigure({ profile: { wrap_pressure: p } }) {
+  return {
+    name: "Wrap pressure",
+    value: shown("wrap_pressure", p[0], 3),
+    small: `to ${shown("wrap_pressure", p[p.length - 1], 3)}`,
+  };
+}
+/** The minimum T2 of all checks. @param {QuickAnswer} arc @returns {Figure} */
+function leastFigure(arc) {
   const idle = arc.numbers.effective_tension === 0;
   const found = known()?.least_tension;
   const least = found
@@ -59,27 +87,12 @@ function lateFigures(arc) {
         value: words(found.shown),
         small:
           words(found.shown) === "none"
-            ? "no tension keeps every check"
-            : "every check passes that it helps",
+            ? "no T2 passes every check"
+            : "every check that T2 helps passes",
         level: found.level,
       }
-    : { value: "–", small: idle ? "no pull to carry" : "" };
-  const ratio = m.creep_limit_capacity;
-  return [
-    {
-      name: title("creep_limit_margin"),
-      value: digits(m.creep_limit_margin),
-      small: ratio == null || Number.isNaN(ratio) ? "" : `carries a ratio of ${digits(ratio)}`,
-      late: true,
-    },
-    { name: "Least slack-side tension", ...least, late: true },
-    {
-      name: title("equivalent_friction"),
-      value: digits(m.equivalent_friction),
-      small: "at the creep limit, beside CEMA, DIN",
-      late: true,
-    },
-  ];
+    : { value: "–", small: idle ? "Te is zero" : "" };
+  return { name: "Minimum T2", ...least, late: true };
 }
 /** The interval of the creep by its fitted law. @param {Record<string, number | null>} n */
 function interval(n) {
@@ -102,7 +115,7 @@ export function figures(arc) {
       : `gross slip; the limit is ${show(limit, "length")}`,
     level: arc.levels.creep || arc.level,
   };
-  const rows = [creep, ...(solved ? quickFigures(arc) : []), ...lateFigures(arc)];
+  const rows = [creep, ...arcFigures(arc, solved)];
   const gauge = h(
     "i",
     { class: "gauge" },

@@ -38,7 +38,7 @@ export function fromExample() {
       "p",
       { class: "inline" },
       h("button", { type: "button", onClick: clear }, "Take them out"),
-      h("button", { type: "button", onClick: keep }, "Keep them"),
+      h("button", { type: "button", onClick: keep }, "Apply"),
     ),
   );
 }

@@ -180,7 +180,7 @@ export function inputs(now) {
       onSubmit: (e) => e.preventDefault(),
       noValidate: true,
     },
-    h("h2", {}, "Inputs", h("span", {}, isUsual() ? "usual values" : "green: keeps the limit")),
+    h("h2", {}, "Inputs", h("span", {}, isUsual() ? "usual values" : "green: passes")),
     loadBoxes(i),
     ofPulley(i, "wrap_angle"),
     laggingPick(i),

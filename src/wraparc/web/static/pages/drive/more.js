@@ -45,7 +45,7 @@ function taken(i, k, keys) {
   if (!keys.some((key) => takenOver(app.doc, i, k, key))) return null;
   const from = isCase() ? 'the load case "design"' : "the pulley";
   const empty = follows(app.doc, i, k)
-    ? `The other tension follows from ${from}: the take-up holds the sum of both.`
+    ? `The other tension follows from ${from}: the take-up fixes the sum of both.`
     : `What is left empty is that of ${from}.`;
   return h("p", { class: "help", key: "taken" }, empty);
 }
@@ -65,7 +65,7 @@ function by(i, { k, at, keys }) {
   return h(
     "div",
     { class: "field", key: "pair" },
-    h("label", { for: id }, "Load given by"),
+    h("label", { for: id }, "Load input"),
     h("span", {}),
     h("span", { class: "box" }, pick),
   );
@@ -249,7 +249,7 @@ function all(i, now) {
     group("Lagging", lagging(i)),
     group("Belt", belt()),
     group("Load cases", cases()),
-    group("Held against", criteria()),
+    group("Criteria", criteria()),
     group(
       "Drive",
       drive.map((f) => field({ spec: f, path: [f.key] })),

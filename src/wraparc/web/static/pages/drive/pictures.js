@@ -15,7 +15,7 @@ const TALL = 128; // of one plot [px]
 const degrees = (v) => (v * 180) / Math.PI;
 
 /**
- * What is drawn beside the arc: the paper's march if it is asked for, and an arc that was pinned.
+ * What is drawn beside the arc: the paper's integration if it is asked for, and an arc that was pinned.
  * @typedef {{name: string, numbers: QuickAnswer["numbers"],
  *   profile: QuickAnswer["profile"]}} Pinned
  */
@@ -31,7 +31,7 @@ class Scene {
     this.x = this.p.position.map(degrees);
     const march = marched();
     /** @type {[Record<string, any>, string, string][]} */
-    this.others = march ? [[march.profile, "paper", "paper's march"]] : [];
+    this.others = march ? [[march.profile, "paper", "paper's integration"]] : [];
     if (alongside.pinned) this.others.push([alongside.pinned.profile, "ghost", "pinned"]);
     this.side = this.n.entry_tension >= this.n.exit_tension ? 1 : -1;
   }
@@ -56,7 +56,7 @@ class Scene {
     return { x: this.x, zones, angles: true, xs: [0, degrees(wrapOf(this.p))], zero: true };
   }
 }
-/** The paper's march, once it is asked for and solved. */
+/** The paper's integration, once it is asked for and solved. */
 export function marched() {
   const march = alongside.march && whole() ? wholeArc()?.paper : null;
   return march?.status === "solved" ? march : null;

@@ -1,21 +1,11 @@
 // A pinned design beside the present one, in numbers. Fetched when the first is pinned.
-import { shown, title } from "../../base/units.js";
+import { keyFigures, shown, title } from "../../base/units.js";
 import { scroll } from "../../parts/answers.js";
 import { h } from "../../vendor/preact.js";
 
 /** @import { QuickAnswer } from "../../types.d.ts" */
 /** @import { Pinned } from "./pictures.js" */
 
-/** Numbers that are set beside those of the pinned design. */
-const NAMES = [
-  "entry_tension",
-  "exit_tension",
-  "exit_creep",
-  "exit_slip",
-  "peak_shear_stress",
-  "peak_shear_angle",
-  "power_loss",
-];
 /** @param {number | null | undefined} now @param {number | null | undefined} then
  * @param {string} name */
 function difference(now, then, name) {
@@ -34,6 +24,7 @@ export function differences({ numbers: now }, { name, numbers: then }) {
         (text, i) => h("td", { class: "num", key: i }, text),
       ),
     );
+  const known = (/** @type {string} */ key) => now[key] != null || then[key] != null;
   const heads = ["Pinned", "Now", "Difference"];
   return scroll(
     `Differences from the pinned design, ${name}`,
@@ -51,7 +42,7 @@ export function differences({ numbers: now }, { name, numbers: then }) {
           heads.map((t) => h("th", { scope: "col", class: "num", key: t }, t)),
         ),
       ),
-      h("tbody", {}, NAMES.map(row)),
+      h("tbody", {}, keyFigures("pins").filter(known).map(row)),
     ),
   );
 }

@@ -1,4 +1,4 @@
-// What stands beside the arc in the plots: the paper's march, and a design that was pinned.
+// What stands beside the arc in the plots: the paper's integration, and a design that was pinned.
 import { app, redraw } from "../../base/design.js";
 import { act, part } from "../../base/server.js";
 import { h } from "../../vendor/preact.js";
@@ -34,7 +34,7 @@ export function pins(arc) {
     h(
       "p",
       { class: "inline", key: "controls" },
-      h("label", { class: "inline" }, h("input", tick), "Paper's march beside it"),
+      h("label", { class: "inline" }, h("input", tick), "Compare with the paper's integration"),
       button(
         pinned ? "Pin this design instead" : "Pin this design",
         act(() => pin(arc)),

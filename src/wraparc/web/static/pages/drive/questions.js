@@ -11,7 +11,7 @@ import { h } from "../../vendor/preact.js";
 const QUESTIONS = {
   "Which input gives …?": () => import("./seek.js"),
   "What if … wet, worn, bare?": () => import("./what_if.js"),
-  "Which design costs least?": () => import("./choosing.js"),
+  "Which design has the lowest cost?": () => import("./choosing.js"),
   "On site: what to measure, when to alarm": () => import("./site.js"),
   "A measured drive": () => import("./measured.js"),
 };

@@ -15,6 +15,7 @@ import {
 } from "../../base/design.js";
 import { AGAIN, act, askAgain, GONE, note, part, sentence } from "../../base/server.js";
 import {
+  besideUnit,
   digits,
   dimensionOf,
   percent,
@@ -60,7 +61,7 @@ const QUANTITIES = [
 ];
 /** What a hand that moves T2 keeps. @type {[string, string][]} */
 const KEEPS = [
-  ["pull", "the pull"],
+  ["pull", "Te"],
   ["t1", "T1"],
 ];
 /** What is fetched when it is opened. */
@@ -204,8 +205,8 @@ export class Screen extends Component {
         h(
           "div",
           { class: "over" },
-          h("span", { "aria-hidden": "true" }, "Dragging T2 keeps"),
-          oneOf("keeps", "Dragging T2 keeps", this.state.keeps, KEEPS, (keeps) =>
+          h("span", { "aria-hidden": "true" }, "Dragging T2: fix"),
+          oneOf("keeps", "Dragging T2: fix", this.state.keeps, KEEPS, (keeps) =>
             this.setState({ keeps }),
           ),
         ),
@@ -234,12 +235,12 @@ export class Screen extends Component {
     const full = wholeArc();
     const all = sorted(full);
     const missed = all.filter((b) => rank(b) > 0).length;
-    const kept = missed ? `${missed} of ${all.length} not kept` : `all ${all.length} kept`;
+    const passed = `${all.length - missed} of ${all.length} pass`;
     const chosen = all.find((b) => b.title === this.state.check) ?? all[0];
     return h(
       "aside",
       { class: "checks card", "aria-label": "Checks against their limits" },
-      h("h2", {}, "Checks", all.length > 0 && h("span", {}, `${kept} · bar: use of the limit`)),
+      h("h2", {}, "Checks", all.length > 0 && h("span", {}, `${passed} · bar: % of limit`)),
       !arc && none?.(),
       h(
         "ul",
@@ -299,7 +300,7 @@ export const said = (level, text, more, action, alert = null, id = "verdict", la
 /** @param {QuickAnswer | null} arc @param {boolean} refused */
 function verdict(arc, refused) {
   if (refused) return notComputed(arc !== null);
-  if (silent()) return said("", gone(arc && "These are the last results."), SAFE, askNow());
+  if (silent()) return said("", gone(arc && "Previous results."), SAFE, askNow());
   if (!arc) return said("", "Solving …", "");
   const how = stood();
   if (how !== "fresh") return said("", "Solving …", BELOW);
@@ -324,7 +325,7 @@ const SAFE = `${AGAIN} Nothing typed is lost.`;
 /** @param {Children} more */
 const gone = (more) => h("span", { class: "gone", role: "alert" }, GONE, " ", more);
 const askNow = () =>
-  h("button", { type: "button", class: "main advice", onClick: askAgain }, "Ask now");
+  h("button", { type: "button", class: "main advice", onClick: askAgain }, "Calculate");
 const cut = () => app.gone && app.page === "drive";
 /** Whether what is asked now waits for a server that is gone: the page solves most by itself. */
 const silent = () => cut() && !answer.problems.length && stood() !== "fresh";
@@ -347,7 +348,7 @@ export function missing() {
   const all = [...wrong.at];
   const bad = all.filter(([, text]) => text !== NEEDED);
   const names = new Set((bad.length ? bad : all).map(([key]) => nameOf(key)));
-  return `${bad.length ? "Not computed" : "Still needed"}: ${few([...names])}.`;
+  return `${bad.length ? "Not computed" : "Missing"}: ${few([...names])}.`;
 }
 /** The first of what is listed, and how many more there are. @param {string[]} all */
 function few(all) {
@@ -581,12 +582,8 @@ const NOT_MADE = /** @type {Bar} */ ({
   source: "",
 });
 /** The limit of a check, without the unit that its value has. @param {Bar} b */
-function atLimit(b) {
-  const [limit, unit] = words(b.limit).split(/(?<=\d) /);
-  const number = limit.replace(/^(max|min) /, "");
-  const alone = !unit || words(b.found).endsWith(` ${unit}`);
-  return `${b.at_most ? "≤" : "≥"} ${alone ? number : `${number} ${unit}`}`;
-}
+const atLimit = (b) => `${b.at_most ? "≤" : "≥"} ${besideUnit(b.limit, b.found)}`;
+const sense = (/** @type {Bar} */ b) => (b.at_most ? "max" : "min");
 /** Reason, place and source of a check. @param {Bar} b @param {FullArc | undefined} full */
 export function reasonOf(b, full, id = "why") {
   const told = answer.full?.arcs
@@ -596,7 +593,7 @@ export function reasonOf(b, full, id = "why") {
     "div",
     { class: "why", id, role: "region", "aria-label": "Reason and source", tabIndex: 0 },
     h("h3", {}, `${b.title}: ${percent(b.share)} of the limit`),
-    h("p", {}, words(b.says) || `${words(b.found)}, ${words(b.limit)}.`),
+    h("p", {}, words(b.says) || `${words(b.found)}, ${sense(b)} ${words(b.limit)}.`),
     h("p", { class: "src" }, [b.place, b.source || told?.source].filter(Boolean).join(". ")),
   );
 }
@@ -604,7 +601,7 @@ function changes() {
   const all = solver()?.ways() ?? [];
   if (!all.length) return null;
   return [
-    h("h2", {}, "What would change the creep"),
+    h("h2", {}, "Effect of changes"),
     h(
       "ul",
       { class: "ways" },
@@ -641,7 +638,7 @@ function sources({ status, numbers: n }) {
   return h(
     "div",
     { class: "sources3" },
-    h("h2", {}, "Sources of the creep"),
+    h("h2", {}, "Creep by cause"),
     h(
       "div",
       { class: "src3", "aria-hidden": "true" },
@@ -697,8 +694,8 @@ function handles(arc) {
     split(doc.pulley[i].wrap_angle) && handle("Wrap angle", "wrap_angle", "angle", wrapOf(arc));
   return {
     ...(own && {
-      t1: handle("Tight side T1", "entry_tension", "force", n.entry_tension),
-      t2: handle("Slack side T2", "exit_tension", "force", n.exit_tension),
+      t1: handle("Tight-side tension T1", "entry_tension", "force", n.entry_tension),
+      t2: handle("Slack-side tension T2", "exit_tension", "force", n.exit_tension),
     }),
     ...(wrap && { wrap }),
   };
@@ -758,10 +755,10 @@ function stageData(arc, q) {
 }
 /** @type {[string, string][]} */
 const FIGURES = [
-  ["Pull", "effective_tension"],
+  ["Effective tension Te", "effective_tension"],
   ["Power", "transmitted_power"],
   ["T1 / T2", "tension_ratio"],
-  ["Lost to creep", "power_loss"],
+  ["Power lost to creep", "power_loss"],
 ];
 /** @param {string} key @param {Record<string, any>} n */
 const figure = (key, n) =>
@@ -794,9 +791,9 @@ function curveData(arc, q) {
   const pull = Math.abs(arc?.numbers.effective_tension ?? 0);
   const margin = wholeArc()?.bars.find((b) => b.name === "gross_slip")?.value ?? 0;
   /** @type {[string, number, string][]} */
-  const bars = [["Pull asked for", pull, show(pull, "force", 3)]];
+  const bars = [["Required Te", pull, show(pull, "force", 3)]];
   if (slips && margin > 0)
-    bars.push(["Friction carries", pull * margin, show(pull * margin, "force", 3)]);
+    bars.push(["Transmissible Te", pull * margin, show(pull * margin, "force", 3)]);
   const scaled = (/** @type {string} */ key) => (solved ? arc.profile[key].map((v) => v / f) : []);
   return {
     wrap: degrees(arc ? wrapOf(arc) : Math.PI),
@@ -806,11 +803,7 @@ function curveData(arc, q) {
     limitText: limit ? `limit ${show(limit, "length")}` : "",
     beside: solved && q === "friction_used" ? scaled("friction") : null,
     bars: slips ? bars : [],
-    note: slips
-      ? "Not at rest: no curve along the wrap."
-      : arc
-        ? ""
-        : "The curve comes with the first answer.",
+    note: slips ? "Gross slip: no curve." : arc ? "" : "No result yet.",
     told: `${title(q)} along the wrap${u && ` [${u}]`}`,
   };
 }

@@ -1,4 +1,4 @@
-// What would change the creep: other laggings, wraps and tensions, each solved beside the page.
+// Effect of changes: other laggings, wraps and tensions, each solved beside the page.
 import { app, gripped, redraw, set } from "../../base/design.js";
 import { show, unit, written } from "../../base/units.js";
 import { beside } from "./beside.js";
@@ -80,7 +80,7 @@ function changes(n) {
       return /** @type {[string, string, Design]} */ ([`Wrap ${w}°`, `Wrap ${w}°`, of]);
     }),
     [
-      `T2 ${show(more, "force", 3)}, same pull`,
+      `T2 ${show(more, "force", 3)}, same Te`,
       `Raise T2 to ${show(more, "force", 3)}`,
       movedTo(doc, i, shownCase(i), ends, 9),
     ],

@@ -76,7 +76,7 @@ export const barsOf = (judged, load_case, pulley) =>
     .listed.filter((/** @type {any} */ c) => !Number.isNaN(c.share))
     .map((/** @type {any} */ c) => {
       const { name, value, title, level, at_most, share, missed, text } = c;
-      const [found] = c.texts();
+      const [found, limit] = c.texts();
       const place = c.place.__str__();
       return {
         name,
@@ -86,8 +86,7 @@ export const barsOf = (judged, load_case, pulley) =>
         place,
         at_most,
         share,
-        found,
-        limit: c.bound(),
+        ...{ found, limit },
         says: missed ? text : "",
         source: "",
       };

@@ -31,7 +31,7 @@ export const motionInputs = () => [
         choices: [
           {
             choices: [
-              ["", "the largest running pull"],
+              ["", "the running case of maximum Te"],
               ...(app.doc.load_case || []).map((c) => [c.name || "", c.name || ""]),
             ],
           },
@@ -56,7 +56,7 @@ function drum(name, i) {
   return h(
     "fieldset",
     { key: name },
-    h("legend", {}, `Drum ${name}`),
+    h("legend", {}, `Pulley ${name}`),
     rows(specs, at),
     control(name, [...at, "control"]),
   );

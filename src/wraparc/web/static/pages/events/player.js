@@ -26,7 +26,7 @@ const RATES = [
 const STEP = 0.5;
 const STEADY = "Running steadily";
 const NOT_RUN =
-  "Tensions, shares, creep and speeds over the time stand here, and are played above, once it " +
+  "Tensions, shares, creep and speeds over time appear here, and play above, once the event " +
   "has run. It takes some seconds.";
 const calm = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
 
@@ -200,7 +200,7 @@ export class Player extends Component {
           "p",
           { class: "help" },
           run.steady && `${STEADY}, load case ${run.steady}. `,
-          "Blue where it acts the other way: there the drum brakes the belt.",
+          "Blue where it acts the other way: there the pulley brakes the belt.",
         ),
       ),
       run.steady

@@ -86,7 +86,7 @@ export function form(begin) {
       drawn && label("Seed", input(plan.seed, into("seed"), 5)),
     ),
     scroll(
-      "What is varied",
+      "Variables",
       h(
         "table",
         {},
@@ -162,7 +162,7 @@ function axisRow(a, i, names) {
       "td",
       {},
       label(
-        "What is varied",
+        "Variables",
         pick(
           a.field,
           possible.map((n) => [n, fieldName(n)]),

@@ -44,8 +44,8 @@ export async function within(path, body, how) {
     Object.assign(session, { id: null, files: [] });
     redraw();
     throw new Advice(
-      "The calculator no longer has the tests (it keeps them for half an hour after the last " +
-        "use, and not when it is started anew): drop the files again.",
+      "The calculator no longer has the tests (they expire half an hour after the last use, " +
+        "and at a restart): drop the files again.",
     );
   }
 }
@@ -421,7 +421,7 @@ export function details() {
 /** @param {TestFile} f */
 function choices(f) {
   const c = f.choices || {};
-  const names = [["", "as found"], ...(f.columns || []).map((x) => [x.name, x.name])];
+  const names = [["", "automatic"], ...(f.columns || []).map((x) => [x.name, x.name])];
   const put = (/** @type {any} */ more) => say(f, { choices: { ...c, ...more } });
   const role = (/** @type {string[]} */ [key, label]) =>
     h(

@@ -12,7 +12,7 @@ const ROWS = {
       key: "name",
       label: "Name",
       value: "my-lagging",
-      help: "Name that drive files ask for it by.",
+      help: "Name of the lagging in drive files.",
     },
     { key: "title", label: "Title" },
     {
@@ -51,7 +51,7 @@ const ROWS = {
     {
       key: "slip_max",
       label: "Slip of the tests",
-      help: "Up to which A and b hold; to the peak if left empty.",
+      help: "Slip up to which A and b are valid; the peak if left empty.",
       of: "coefficients",
     },
     {
@@ -86,11 +86,11 @@ const TITLES = {
   digitised: "Figure",
   rig: "Rig",
   fit: "Fit",
-  fixed: "Held in every curve, not fitted",
+  fixed: "Fixed in every curve, not fitted",
 };
 /** @type {Record<string, string>} */
 const LIST_WORDS = {
-  "": "as found best",
+  "": "best fit",
   true: "yes",
   false: "no",
   friction: "friction over slip",

@@ -79,7 +79,7 @@ export function chain(c, arcs, most) {
       ...size(box),
       class: `chart chain ${drums.length > 2 ? "many" : ""}`,
       role: "img",
-      "aria-label": `The belt over its drums. ${told}`,
+      "aria-label": `The belt over its pulleys. ${told}`,
     },
     hatch(id),
     drums.map((d) => shell(d, id, arcs.get(d.m.pulley), most)),

@@ -72,7 +72,7 @@ function trainFields(t, answer) {
   const modes = [
     ["share", "shares"],
     ["speeds", "speed trims"],
-    ["equal", "equal drum speeds"],
+    ["equal", "equal pulley speeds"],
     ...(mode === "motor" ? [["motor", "motors (in the file)"]] : []),
   ];
   const choose = {
@@ -88,7 +88,7 @@ function trainFields(t, answer) {
     h(
       "div",
       { class: "field", key: "mode" },
-      h("label", { for: "train-mode" }, "Given"),
+      h("label", { for: "train-mode" }, "Input"),
       h("span", {}),
       h(
         "span",

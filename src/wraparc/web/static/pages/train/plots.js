@@ -20,7 +20,7 @@ const MARKS = {
   operating: ["black", "now"],
   equal: ["green", "equal share"],
   creep_limit: ["purple"],
-  unloaded: ["sky", "a drive carries nothing"],
+  unloaded: ["sky", "a drive without load"],
 };
 /** @param {number} x @param {number} y @param {string} cls @param {string} words */
 const text = (x, y, cls, words) => h("text", { x, y, class: cls }, words);

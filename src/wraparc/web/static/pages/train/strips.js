@@ -147,7 +147,7 @@ export function trimStrip(c, i, keeps, chooser) {
   const span = (/** @type {string} */ cls, /** @type {number[]} */ [a, b]) =>
     h("u", { class: cls, key: cls, style: { left: pct(at(a)), width: pct(at(b) - at(a)) } });
   const text = percent(trim, 5);
-  const kept = half ? ` (± ${percent(half, 2)} keeps the share within ${percent(NEAR)})` : "";
+  const kept = half ? ` (± ${percent(half, 2)} for a share within ${percent(NEAR)})` : "";
   const label = `Trim of ${m.pulley}`;
   const range = /** @type {[number, number, number]} */ ([least, trim, most]);
   const pick = chooser && {
@@ -179,7 +179,7 @@ export const reasons = (m) =>
   /** @type {[string, number][]} */ ([
     ["belt contracts before it", m.contraction_term],
     ["creep", m.creep_term],
-    ["lagging is squeezed", m.compression_term],
+    ["lagging is compressed", m.compression_term],
     ["thickness of the belt", m.thickness_term],
   ])
     .filter(([, v]) => v)
@@ -190,7 +190,7 @@ export const changes = (m) => {
   if (!by) return [];
   return [
     ["0.1 % of trim moves", `${percent(by, 2)} of the load`],
-    [`Share kept within ${percent(NEAR)} by`, `± ${percent((NEAR * 1e-3) / by, 2)}`],
-    ["Lost to creep", shown("power_loss", m.power_loss, 3)],
+    [`Trim for a share within ${percent(NEAR)}`, `± ${percent((NEAR * 1e-3) / by, 2)}`],
+    ["Power lost to creep", shown("power_loss", m.power_loss, 3)],
   ];
 };
