@@ -51,9 +51,8 @@ def _verdict(record: MachineRecord) -> Verdict:
     """Return how many rows are used, and of which columns."""
     used = len(record.travel)
     if used < record.rows:
-        reasons = tuple(f"{item.count} rows: {item.reason}." for item in record.dropped)
         text = f"{used:,} of {record.rows:,} rows used."
-        return Verdict(Level.ATTENTION, text, reasons, action=_SEE, name="read")
+        return Verdict(Level.ATTENTION, text, action=_SEE, name="read")
     test = f"Test {record.block} of {record.blocks}" if record.blocks > 1 else "1 test"
     columns = {column.role: column for column in record.columns}
     named = [f"{role} {_column(columns[role])}" for role in ("travel", "force") if role in columns]
