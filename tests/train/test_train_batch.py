@@ -231,7 +231,7 @@ def test_rows_without_a_solution_are_told_apart() -> None:
     motors = train(pulleys(2), case(Motors((weak, weak))), belt=STEEL)
     beyond = solve_train_batch(motors, {"exit_tension": [50e3, 140e3]})
     assert beyond.status.tolist() == [4, 0]
-    assert "beyond its curve" in beyond.reason(0)
+    assert "outside its curve" in beyond.reason(0)
 
 
 @pytest.mark.parametrize("count", [2, 3])
