@@ -58,10 +58,11 @@ const LATE = ["creep_limit_margin", "equivalent_friction"];
 /** The key figures of an arc but for its creep, and what stands with them.
  * @param {QuickAnswer} arc @param {boolean} solved @returns {Figure[]} */
 function arcFigures(arc, solved) {
-  const n = { ...wholeArc()?.numbers, ...arc.numbers };
+  const quick = Object.entries(arc.numbers).filter(([, value]) => value != null);
+  const n = { ...wholeArc()?.numbers, ...Object.fromEntries(quick) };
   const of = (/** @type {string} */ name) => {
     const value = dimensionOf(name) === "number" ? digits(n[name]) : shown(name, n[name]);
-    const late = LATE.includes(name) || !(name in arc.numbers);
+    const late = LATE.includes(name) || arc.numbers[name] == null;
     return { name: title(name), value, small: "", late, ...TOLD[name]?.(n) };
   };
   const names = keyFigures("tiles").filter((k) => k !== "exit_creep");
