@@ -493,8 +493,8 @@ def test_files_that_cannot_be_read(tmp_path: Path) -> None:
     assert load_error(file) == (
         "PATH, line 2: is not UTF-8 text: byte 0xf6. Save it as UTF-8 text."
     )
-    file.write_bytes(b"")
-    assert "format: missing" in load_error(file)
+    file.write_bytes(b" \n")
+    assert load_error(file) == "PATH: is empty. Check that it is the right file."
     assert "cannot be read" in load_error(tmp_path / "a\0b")
 
 

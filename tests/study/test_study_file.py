@@ -16,7 +16,7 @@ BAD: list[tuple[list[dict[str, Any]], dict[str, Any], str]] = [
     (
         [{**TAKE_UP, "field": "pulley.head.exit_tenson"}],
         {},
-        ('a drive file has no such field, got "pulley.head.exit_tenson". Did you mean '
+        ('no such drive field, got "pulley.head.exit_tenson". Did you mean '
          '"exit_tension"'),
     ),
     ([{**TAKE_UP, "field": "pulley.tail.exit_tension"}], {}, 'nothing called "tail"'),

@@ -141,7 +141,7 @@ def test_a_drive_alone_wears_too() -> None:
          "motors of a [train] alone"),
         ([axis("pulley.second.wear", "-1 mm", "1 mm")], "must be between 0 mm and 1000 mm"),
         ([axis("pulley.second.sharing", 0.4)],
-         'a drive file has no such field. Did you mean "share"'),
+         'no such drive field. Did you mean "share"'),
     ],
 )  # fmt: skip
 def test_faults_of_such_axes(axes: list[dict[str, Any]], sentence: str) -> None:

@@ -50,6 +50,8 @@ def read_text(path: str | os.PathLike[str]) -> str:
             raise
         reason = getattr(error, "strerror", None) or str(error)
         raise _file_problem(file, f"cannot be read: {reason}", "Check the path.") from None
+    if not data.strip():
+        raise _file_problem(file, "is empty", "Check that it is the right file.")
     return decoded(data, file)
 
 

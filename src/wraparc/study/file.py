@@ -112,7 +112,8 @@ def study_from_document(document: Document, *, file: str = "", folder: str = "")
     _each_once(axes, report)
     conditions = [read_condition(r, report) for r in record.get("condition", ())]
     known = tuple(c for c in conditions if c is not None)
-    _shares(known, report)
+    if len(known) == len(conditions):
+        _shares(known, report)
     if drive.criteria.covered and any(is_wet(c.name) for c in known):
         message = "contradicts covered = true"
         report.add(("condition",), message, "Leave out covered or the condition.")
