@@ -31,6 +31,7 @@ def main() -> None:
     parser.add_argument("--doors", default="")
     parser.add_argument("--quick", action="store_true")
     asked = parser.parse_args()
+    asked.folder = asked.folder.resolve()  # files name each other
     asked.folder.mkdir(parents=True, exist_ok=True)
     doors = [name for name in asked.doors.split(",") if name]
     one_of = net.IN_A_TEST if asked.quick else net.OF_MANY
