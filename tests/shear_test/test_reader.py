@@ -173,10 +173,10 @@ def test_a_stress_is_a_force_over_the_area_that_is_given() -> None:
     data = f"Travel;Shear stress;Normal stress\nmm;MPa;MPa\n{table}\n".encode()
     text = problems(data)
     assert "force column unclear" in text
-    assert "If 'Shear stress' is the force over an area, say over which" in text
+    assert 'Add --force, or --stress-area for "Shear stress".' in text
     text = problems(data, Choices(force="Shear stress"))
-    assert "the force column 'Shear stress' holds a stress [MPa], not a force" in text
-    assert '--stress-area "400 cm2"' in text
+    assert "column Shear stress holds a stress [MPa], not a force" in text
+    assert "Add --stress-area, or export the force." in text
     record = read_machine_bytes(data, "x", Choices(stress_area=0.04))
     assert record.force[3] == pytest.approx(12e3)
     assert "the force is 'Shear stress' [MPa] times 400 cm2" in record.notes[-1]

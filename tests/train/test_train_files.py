@@ -248,7 +248,7 @@ def _motors(case: object) -> tuple[object, ...]:
         (
             text(""),
             't.toml: train: nothing says how the load divides. Write share = ["50 %", "50 %"], '
-            'speeds = "equal", or a [train.motor.NAME] for each pulley.',
+            'speeds = "equal" or [train.motor.NAME].',
         ),
     ],
 )

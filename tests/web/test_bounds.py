@@ -305,11 +305,11 @@ def test_no_number_depends_on_how_many_load_cases_are_asked() -> None:
 
 def test_pulleys_share_how_many_load_cases_are_taken() -> None:
     documents.read(_cases(documents.MOST_ARCS))
-    with pytest.raises(Exception, match="201 load cases are more than the 200 "):
+    with pytest.raises(Exception, match="201 load cases with conditions, at most 200"):
         documents.read(_cases(documents.MOST_ARCS + 1))
     half = documents.MOST_ARCS // 2
     documents.read(_cases(half, pulleys=2))
-    with pytest.raises(Exception, match="101 load cases on 2 pulleys are more than the 100 "):
+    with pytest.raises(Exception, match="101 load cases on 2 pulleys with conditions, at most 100"):
         documents.read(_cases(half + 1, pulleys=2))
 
 
