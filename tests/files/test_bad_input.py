@@ -221,7 +221,7 @@ def between(low: str, high: str, value: str) -> str:
         (
             '"Head drive"',
             '"\\u001b[2J"',
-            'title: holds characters that cannot be printed, got "\\u001b[2J". Remove them.',
+            'title: contains characters that cannot be printed, got "\\u001b[2J". Remove them.',
         ),
         (
             '"diamond-rubber"',
@@ -442,8 +442,10 @@ def test_broken_text(text: str, sentence: str) -> None:
     [
         (
             "a = " + "[" * 100_000,
-            "in.toml: holds 100,000 lists and tables; at most 20,000 are read. "
-            "Check that it is the right file.",
+            (
+                "in.toml: contains 100,000 lists and tables; at most 20,000 are read. Check that "
+                "it is the right file."
+            ),
         ),
         (
             "a = " + "[" * 61 + "]" * 61,

@@ -363,7 +363,7 @@ def test_whether_the_slip_of_a_figure_includes_shear_is_asked(tmp_path: Path) ->
     ("text", "said"),
     [
         ("{", "is no valid JSON"),
-        ('{"version": 4}', "holds no digitised curve"),
+        ('{"version": 4}', "contains no digitised curve"),
         (json.dumps([{"name": "no pressure", "data": curve(0)}]), "pressure of this curve is not"),
         (json.dumps([{"name": "34 kPa", "data": curve(0, 5)}]), "the curve has 5 points only"),
     ],

@@ -127,7 +127,7 @@ def test_parts_of_another_study_are_not_taken(tmp_path: Path) -> None:
         run_study(small(), path, Run(part_designs=16, progress=_stopping(16)))
     with pytest.raises(InputError, match="an interrupted run has left parts beside it"):
         run_study(small(), path)
-    with pytest.raises(InputError, match="holds parts of another study"):
+    with pytest.raises(InputError, match="contains parts of another study"):
         run_study(small(setting="precise"), path, Run(resume=True))
 
 

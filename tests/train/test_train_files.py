@@ -191,7 +191,10 @@ def _motors(case: object) -> tuple[object, ...]:
         ),
         (
             text('share = ["60 %", "40 %"]\nspeeds = "equal"'),
-            "t.toml: train: share and speeds each decide how the load divides. Keep one of them.",
+            (
+                "t.toml: train: share and speeds each decide how the load divides. Remove one of "
+                "them."
+            ),
         ),
         (
             text('share = ["100 %"]'),

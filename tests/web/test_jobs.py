@@ -259,7 +259,7 @@ def test_tests_side_by_side_and_files_beyond_a_test(api: TestClient) -> None:
     far = ("far.xlsx", out.getvalue(), "application/x")
     sent = api.post(f"{place}/files", files=[("files", file) for file in (beside, wide, far)])
     first, second, third = sent.json()["files"]
-    assert "holds 2 tests side by side" in first["problems"][0]["message"]
+    assert "contains 2 tests side by side" in first["problems"][0]["message"]
     assert "has 5001 cells, more than 1000" in second["problems"][0]["message"]
     assert "more than 4 million cells" in third["problems"][0]["message"]
     said = {"choices": {"block": 2, "stroke": "last"}}

@@ -140,7 +140,7 @@ class Text(Kind):
         elif len(raw) > self.longest:
             report.add(place, f"longer than {self.longest} characters", "Shorten it.", raw)
         elif not (raw.translate(_NO_CONTROLS) if self.lines else raw).isprintable():
-            report.add(place, "holds characters that cannot be printed", "Remove them.", raw)
+            report.add(place, "contains characters that cannot be printed", "Remove them.", raw)
         else:
             return raw
         return NOTHING

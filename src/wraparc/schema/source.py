@@ -97,7 +97,7 @@ def parse(text: str, file: str = "") -> Document:
         line = int(position[1]) if position else text.count("\n") + 1
         raise InputError(syntax_problem(text, line, file)) from None
     except ValueError:  # of int(), beyond the digits it converts
-        message = "holds a whole number of thousands of digits"
+        message = "contains a whole number of thousands of digits"
         raise _file_problem(file, message, "Check that it is the right file.") from None
 
 

@@ -229,7 +229,7 @@ class Table(Kind):
             value = given.pop(entry.alias)
             if entry.key in given:
                 message = f"means the same as {entry.key}, which is also there"
-                report.add((*place, entry.alias), message, "Keep one of them.", value)
+                report.add((*place, entry.alias), message, "Remove one of them.", value)
             else:
                 given[entry.key] = value
         return given
