@@ -535,7 +535,7 @@ def test_faults_of_a_lagging_file_name_that_file(tmp_path: Path) -> None:
     lagging.write_text(LAGGING.replace("12 mm", "12 kN"))
     assert load_error(file).replace(str(tmp_path), "DIR") == (
         'DIR/mine.toml: thickness: a force, where a length is needed, got "12 kN". Write for '
-        'example "1200 mm".'
+        'example "120 mm".'
     )
 
 

@@ -299,5 +299,5 @@ def test_tensions_of_single_pulleys_are_refused() -> None:
 
 
 def test_a_plain_drive_reader_says_what_the_file_is() -> None:
-    with pytest.raises(InputError, match="Read it with wraparc"):
+    with pytest.raises(InputError, match=r"Use wraparc\.load_train"):
         drive_from_text(text('speeds = "equal"'))

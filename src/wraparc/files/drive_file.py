@@ -92,7 +92,7 @@ def drive_from_document(
     if "train" in document:
         check_format(document, file)
         report = Report(file)
-        message = "is of a train, no single drive"
+        message = "makes it a train, not one drive"
         report.add(("train",), message, "Use wraparc.load_train.")
         report.raise_all()
     record, report = read_tables(DRIVE, document, file)
