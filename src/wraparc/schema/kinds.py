@@ -21,9 +21,9 @@ from wraparc.units.numbers import split_number
 
 # The kinds are constants of the key modules. They are not frozen because making a frozen
 # dataclass takes five times as long, and every run of the command line makes them all.
+_NO_CONTROLS = str.maketrans("", "", "\n\t")  # those that a text of lines may hold
 #: What an example is scaled with, until it is allowed.
 _TENS = ("1", "0.1", "0.01", "0.001", "10")
-_NO_CONTROLS = str.maketrans("", "", "\n\t")  # those that a text of lines may hold
 
 
 class Kind(ABC):
