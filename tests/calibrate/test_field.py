@@ -11,6 +11,7 @@ from files.samples import example
 from wraparc import ArcResult, Distributed, WrapArc, load_drive
 from wraparc.answer.field_sheet import field_sheet
 from wraparc.answer.sheet import shown as told_in
+from wraparc.answer.words import format_verdict
 from wraparc.calibrate.field_numbers import (
     TRIP_RULES,
     FieldNumbers,
@@ -19,8 +20,11 @@ from wraparc.calibrate.field_numbers import (
     wear_coefficient,
 )
 from wraparc.checks import Level
-from wraparc.checks.verdict import Verdict
+from wraparc.checks import Verdict as Judgement
 from wraparc.drive.pitch import turns_an_hour
+
+#: Verdict on a drive of which nothing was checked.
+NO_DRIVE = format_verdict(Judgement(()))
 
 
 @pytest.fixture(scope="module")
@@ -135,6 +139,7 @@ def test_a_belt_that_slips_shows_nothing_to_measure(tmp_path: Path) -> None:
     assert (ran.code, ran.code) == (wraparc("solve", drive_file(tmp_path, DRIVE), *changed).code, 1)
     assert "Pulley head: nothing to measure, as the belt slips on it." in ran.words
     assert "FAILS Gross slip: safety 0.0177 is below 1 (head, design)." in ran.words
+    assert "more (wraparc solve)." in ran.words
 
 
 def test_wear_shows_as_a_difference_of_speed() -> None:
@@ -147,7 +152,7 @@ def test_wear_shows_as_a_difference_of_speed() -> None:
     assert found.seen(0.0, 8e-3) == pytest.approx(0.02)
     assert found.seen(0.01, 8e-3) == pytest.approx(1.0 - 0.99 * 0.98)
     assert found.seen(0.01, found.wear_to_alarm) == pytest.approx(found.alarm)
-    told = told_in(field_sheet(found, Verdict(()), "Drive", "head"), "si").verdict
+    told = told_in(field_sheet(found, NO_DRIVE, "Drive", "head"), "si").verdict
     assert told is not None
     text = " ".join(told.sentences)
     assert "need the pulley speed from a measured circumference" in text
@@ -188,13 +193,14 @@ def test_levels_are_what_a_tachometer_pair_shows(tmp_path: Path) -> None:
     worn = ran.json["alarm_when_worn"] - alarm
     assert worn == pytest.approx(6.0 / 400.0 * (1.0 - ran.json["alarm"]), rel=1e-9)
     assert ran.json["drift"] == pytest.approx(1.0 / 0.4)
-    text = wraparc("field", example, *covers).words
+    text = wraparc("field", example, *covers, "--full").words
     assert "Speed difference -0.545 % exceeds the -1.30 % alarm level (head, start)." in text
+    assert "shaft to belt: 1 - v/(omega R), what a tachometer pair shows" in text
     assert "Pulley speeds are those at the lagging surface" not in text
 
 
 def test_without_the_thickness_no_level_is_a_bare_ok(tmp_path: Path) -> None:
-    text = wraparc("field", drive_file(tmp_path)).words
+    text = wraparc("field", drive_file(tmp_path), "--full").words
     assert (
         "Pulley speeds are those at the lagging surface: 10 mm of belt on a pulley of 800 mm"
         in text
@@ -204,13 +210,17 @@ def test_without_the_thickness_no_level_is_a_bare_ok(tmp_path: Path) -> None:
         trip=0.025, wear_per_year=math.nan, life_years=math.nan, energy_per_year=0.0,
         passes_per_year=0.0, diameter=0.8, depth=8e-3,
     )  # fmt: skip
-    bare = told_in(field_sheet(found, Verdict(()), "Drive", "head"), "si").verdict
+    bare = told_in(field_sheet(found, NO_DRIVE, "Drive", "head"), "si").verdict
     known = replace(found, pitch=1.02, shown={"design": (-0.016, -0.010)})
-    told = told_in(field_sheet(known, Verdict(()), "Drive", "head"), "si").verdict
+    told = told_in(field_sheet(known, NO_DRIVE, "Drive", "head"), "si").verdict
     assert bare is not None
     assert told is not None
     assert (bare.level, told.level) == (Level.ATTENTION, Level.OK)
-    assert told.text == "Normal speed difference up to -1 %; alarm -0.725 %, trip 0.55 % (head)."
+    assert told.text == ("Normal speed difference up to -1 %; alarm -0.725 %, trip 0.55 % (head).")
+    # by hand: 10 mm of belt raise the radius of 400 mm by 5 mm, 1.25 %
+    assert bare.action is not None
+    assert "10 mm of belt shifts all by 1.25 points." in bare.action.text
+    assert told.action is None
 
 
 def test_levels_of_a_braking_pulley_are_below() -> None:
@@ -223,7 +233,7 @@ def test_levels_of_a_braking_pulley_are_below() -> None:
     )  # fmt: skip
     assert found.worst_seen == pytest.approx(1 - 1.02 * 1.010)
     assert found.seen(found.alarm, 0.0) == pytest.approx(1 - 1.02 * 1.0125)
-    headline = told_in(field_sheet(found, Verdict(()), "Drive", "head"), "si").verdict.text  # type: ignore[union-attr]
+    headline = told_in(field_sheet(found, NO_DRIVE, "Drive", "head"), "si").verdict.text  # type: ignore[union-attr]
     assert headline.startswith("Normal speed difference down to -3.02 %; alarm -3.275 %, ")
 
 
@@ -249,10 +259,8 @@ def test_an_alarm_below_what_a_load_case_shows_is_no_ok() -> None:
     asked = ("field", example("uphill-conveyor"), *COVERS, "--set", "creep_limit=6.2 mm")
     ran, seen = wraparc(*asked, "--full"), wraparc(*asked, "--json", "-").json["shown"]
     assert seen["healthy"]["start"]["exit"] > seen["alarm"] > seen["healthy"]["full"]["exit"]
-    assert (
-        "ATTENTION Speed difference -0.845 % exceeds the -0.857 % alarm level (head, start)."
-        in (ran.words)
-    )
+    assert "ATTENTION Speed difference -0.845 % exceeds the -0.857 % alarm level" in ran.words
+    assert "Action Set each load case's own alarm level (--table levels)." in ran.words
     assert "set each load case's own level, that of its creep limit" in ran.words
     assert "At the creep limit, empty -0.857 %" in ran.words
     assert "At the creep limit, start -0.727 %" in ran.words
@@ -282,7 +290,7 @@ def test_levels_say_what_a_cover_that_may_be_in_the_slip_would_show(tmp_path: Pa
     """Expected: the drive solved again with a law that has no shear of a cover in its slip."""
     text = example("uphill-conveyor").read_text("utf-8")
     (tmp_path / "unsaid.toml").write_text(text, "utf-8")
-    ran = wraparc("field", tmp_path / "unsaid.toml", *COVERS)
+    ran = wraparc("field", tmp_path / "unsaid.toml", *COVERS, "--full")
     assert "Unknown whether the tested slip includes the shear of the belt cover" in ran.words
     told = wraparc("field", tmp_path / "unsaid.toml", *COVERS, "--json", "-").json
     drive = load_drive(tmp_path / "unsaid.toml")

@@ -152,6 +152,8 @@ CASES: list[tuple[str, Drive]] = [
     ("usual_sizes", quiet(belt={"speed": 30.0})),
     ("usual_sizes", quiet(belt={"mass": 500.0})),
     ("usual_sizes", quiet(entry=800.0, leaving=60.0, lagging=lagging(1.5, tested=None))),
+    ("case_kind", replace(
+        quiet(), load_cases=(replace(quiet().load_cases[0], name="full start"),))),
     ("bond_stress", quiet(lagging=lagging(bond_strength=1e3))),
     ("fatigue_stress", quiet(lagging=lagging(fatigue_limit=1e3))),
     ("tested_pressure_max", quiet(lagging=lagging(tested=replace(WIDE, pressure_max=1e5)))),

@@ -47,7 +47,7 @@ def test_the_example_chooses_and_says_why_not() -> None:
 def test_no_feasible_candidate_names_the_limit_and_the_miss(file: Path) -> None:
     ran = wraparc("choose", file)
     assert ran.code == 0, ran.out
-    ran = wraparc("choose", file, "--set", "limits.creep=0.5 mm")
+    ran = wraparc("choose", file, "--set", "limits.creep=0.5 mm", "--full")
     assert ran.code == 1
     assert (
         "FAILS No candidate passes. Closest: full-ceramic, creep 3.50 of 0.5 mm (design, wet). "
@@ -144,7 +144,7 @@ def test_where_no_tension_is_enough_it_says_so(tmp_path: Path) -> None:
         'material = 100\ninstallation = 100\narea = "1 m2"\nlife_years = [5, 5]\n',
         "utf-8",
     )
-    ran = wraparc("choose", search)
+    ran = wraparc("choose", search, "--full")
     way = "Use lagging full-ceramic, a pulley of 967 mm and a belt rated 334 kN/m (1 check left)."
     assert f"FAILS The candidate diamond-rubber does not pass. Action {way}" in ran.words
     assert f"Action {way}" in wraparc("solve", tmp_path / "over.toml").words

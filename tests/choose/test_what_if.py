@@ -148,7 +148,7 @@ def test_a_new_take_up_tension_says_what_pull_it_implies(tmp_path: Path) -> None
     change = "pulley.head.exit_tension=30 kN"
     ran = wraparc("what-if", drive_file(tmp_path), "--change", change, "--full")
     assert (
-        f"{change}: with T2 from 60 kN to 30 kN at constant T1, Te goes from "
+        "pulley.head.exit_tension 30 kN: with T2 from 60 kN to 30 kN at constant T1, Te goes from "
         "90 kN to 120 kN; a take-up alone leaves Te unchanged" in ran.words
     )
     assert "the pulley works at a larger tension ratio." in ran.words
@@ -167,8 +167,9 @@ def test_a_worn_lagging_is_not_ok(tmp_path: Path) -> None:
     assert verdicts == ["OK", "ATTENTION"]
     words = wraparc("what-if", path, "--worn", "3 mm").words
     assert "OK All 10 checks pass. Closest: wet creep (estimated) 4.82 of 6.35 mm" in words
-    assert "worn to 3 mm 3.76 mm (ATTENTION: not tested worn)." in words
-    assert "ATTENTION: full-ceramic not tested worn: unworn friction used (head, design)." in words
+    assert "Change worn to 3 mm: creep 3.76 mm, ATTENTION not tested worn." in words
+    full = wraparc("what-if", path, "--worn", "3 mm", "--full").words
+    assert "ATTENTION: full-ceramic not tested worn: unworn friction used (head, design)." in full
 
 
 def test_a_column_that_fails_is_no_verdict_on_the_drive(tmp_path: Path) -> None:
@@ -176,13 +177,14 @@ def test_a_column_that_fails_is_no_verdict_on_the_drive(tmp_path: Path) -> None:
     ran = wraparc("what-if", drive_file(tmp_path), "--bare", "CEMA")
     assert ran.code == 0
     assert "ATTENTION Creep 7.49 mm exceeds the 6.35 mm limit (head, design)." in ran.words
-    assert "FAILS: Gross slip: safety 0.796 is below 1 (head, design)." in ran.words
+    assert "Change bare, CEMA: FAILS gross slip." in ran.words
     assert not re.search("^FAILS", ran.out, re.MULTILINE)
 
 
 def test_a_belt_too_stiff_for_the_drum_warns(tmp_path: Path) -> None:
     """Its maker's least drive pulley is 1000 mm, the drum has 800 mm."""
-    ran = wraparc("what-if", drive_file(tmp_path), "--belt", "Flexsteel ST2000")
+    ran = wraparc("what-if", drive_file(tmp_path), "--belt", "Flexsteel ST2000", "--full")
+    assert "Change Flexsteel ST2000: creep 6.15 mm, FAILS pulley diameter." in ran.words
     assert (
         "Flexsteel ST2000: FAILS: Pulley diameter 800 mm is below the belt minimum 1000 mm (head)."
         in ran.words
@@ -201,7 +203,8 @@ def test_what_else_than_creep_the_drive_misses_comes_first(tmp_path: Path) -> No
     assert ran.code == 1
     assert (
         "FAILS Belt tension 150 kN exceeds the 108 kN rating (head, design). "
-        "Action Use a belt rated 125 kN/m (now 90 kN/m). "
+        "Action Use lagging full-ceramic and a belt rated 125 kN/m. "
+        "Change worn to 8 mm: creep 7.20 mm, FAILS belt tension. "
         "Also ATTENTION: Creep 7.49 mm exceeds the 6.35 mm limit (head, design)." in ran.words
     )
 

@@ -33,7 +33,7 @@ COMMANDS = {
     "trim": ("trim", "tandem-fabric.toml", "--points", "3", "--full"),
     "run": ("run", "tandem-fabric.toml", "--event", "run-out", "--points", "10"),
     "stability": ("stability", "tandem-fabric.toml"),
-    "field": ("field", "head-drive-fabric.toml", "--pulley", "head"),
+    "field": ("field", "head-drive-fabric.toml", "--pulley", "head", "--full"),
     "what-if": ("what-if", "head-drive-fabric.toml", "--worn", "3 mm"),
     "seek": (
         "seek", "head-drive-fabric.toml", "--vary", "pulley.head.wrap_angle",
@@ -134,7 +134,7 @@ def test_no_ok_where_a_trim_is_open_without_the_thickness(
     shift = "0.25" if "1000 mm" in drum else "1"
     missing = f"Trim uncertain by {shift} %: belt thickness missing (second, "
     if name == "study":
-        missing = "A trim without the thickness of the belt governs"
+        missing = "miss a check; governing: a trim without the thickness of the belt."
     elif name == "trim":  # its own action leads
         assert "Action Set trim to " in ran.words
     else:

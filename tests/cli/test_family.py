@@ -84,6 +84,8 @@ def test_the_command_prints_draws_and_writes(tmp_path: Path) -> None:
     assert ran.code == 0
     assert "T1/T2 = 1.5" in ran.out
     assert "T1 constant at 150 kN" in ran.out
+    text = "Creep 9.17 mm exceeds the 6.35 mm limit at T1/T2 = 3 (head, design)."
+    assert f"ATTENTION {text}" in ran.words
     assert "T1/T2 = 3" in picture.read_text("utf-8")
     told = json.loads(data.read_text("utf-8"))
     assert [r["ratio"] for r in told["results"]] == pytest.approx([1.5, 2.0, 3.0])
@@ -94,7 +96,19 @@ def test_the_command_prints_draws_and_writes(tmp_path: Path) -> None:
 def test_a_ratio_that_cannot_be_carried_is_told_by_the_exit_code() -> None:
     ran = wraparc("family", DRIVE, "--ratios", "2,60")
     assert ran.code == 1
-    assert "T1/T2 = 60" in ran.out
+    assert "FAILS Gross slip: safety " in ran.words
+    assert " is below 1 at T1/T2 = 60 (head, design)." in ran.words
+
+
+def test_a_family_that_passes_says_up_to_which_ratio() -> None:
+    ran = wraparc("family", DRIVE, "--ratios", "1.8,1.5")
+    assert ran.code == 0
+    assert "OK Creep passes up to T1/T2 = 1.8 (head, design)." in ran.words
+
+
+def test_a_family_names_the_first_ratio_that_misses_the_worst_check() -> None:
+    ran = wraparc("family", DRIVE, "--ratios", "3.3,3,3.1,1.5")
+    assert " exceeds the 6.35 mm limit at T1/T2 = 3 (head, design)." in ran.words
 
 
 @pytest.mark.parametrize(

@@ -154,14 +154,36 @@ def test_the_least_tension_of_a_load_case_holds_as_it_is_shown() -> None:
 
 def test_every_missed_check_is_told_or_counted_however_many() -> None:
     also = tuple(Also(Level.ATTENTION, f"Missed {n}.") for n in range(20))
-    told = Verdict(Level.FAILS, "Bad.", kept=tuple(f"s{n}" for n in range(20)), also=also)
+    told = Verdict(Level.FAILS, "Bad.", also=also)
     verdict = short_sheet(Sheet("T", verdict=told)).verdict
     assert verdict is not None
-    assert len(verdict.sentences) == 20
     assert verdict.lines == (
         ("Also", "ATTENTION: Missed 0."), ("Also", "ATTENTION: Missed 1."),
         ("Also", "18 more (--table checks)."),
     )  # fmt: skip
+
+
+@pytest.mark.parametrize("changes", range(10))
+@pytest.mark.parametrize("others", range(4))
+def test_a_first_screen_has_eight_lines_and_counts_what_they_leave_out(
+    changes: int, others: int
+) -> None:
+    told = Verdict(
+        Level.ATTENTION,
+        "Much.",
+        action=Action("Take less."),
+        also=tuple(Also(Level.ATTENTION, f"Missed {n}.") for n in range(others)),
+        data="All measured.",
+        changes=tuple(f"change {n}: no effect." for n in range(changes)),
+    )
+    lines = told.lines
+    assert 1 + len(lines) <= 8
+    for label, of in (("Change", changes), ("Also", others)):
+        texts = [text for name, text in lines if name == label]
+        assert bool(texts) is bool(of)
+        left = int(texts.pop().split()[0]) if texts and " more (" in texts[-1] else 0
+        assert len(texts) + left == of
+        assert label == "Change" or len(texts) <= 2
 
 
 def test_a_study_shows_the_load_case_that_comes_off_worst(tmp_path: Path) -> None:
@@ -208,11 +230,11 @@ def test_sentence_and_action_are_shown_as_they_are() -> None:
     assert verdict.lines == (("Action", "Take less."),)
 
 
-def test_kept_sentences_and_remarks_are_kept_and_it_is_said_that_there_are_others() -> None:
-    told = Verdict(Level.OK, "Fine.", tuple(f"s{n}" for n in range(12)), kept=("s0", "s11"))
+def test_sentences_are_left_to_the_whole_answer_and_it_is_said_that_there_are_others() -> None:
+    told = Verdict(Level.OK, "Fine.", tuple(f"s{n}" for n in range(12)))
     short = short_sheet(_sheet(verdict=told, remarks=("r0", "r1"), kept=("r1",)), rest="--full")
     assert short.verdict is not None
-    assert short.verdict.sentences == ("s0", "s11")
+    assert short.verdict.sentences == ()
     assert "r1" in short.foot
     assert "r0" not in short.foot
     assert short.foot[-1] == "More  --full"

@@ -10,7 +10,7 @@ import pytest
 
 from cli.running import wraparc
 from wraparc import InputError, load_motion, simulate
-from wraparc.checks import judge_run
+from wraparc.checks import Level, judge_run
 from wraparc.saving import alone, to_disk, unwritable
 from wraparc.study import event_rows
 from wraparc.study.event_rows import run_event_study
@@ -57,7 +57,8 @@ def test_a_row_is_the_run_of_its_design_and_a_refused_one_says_why(tmp_path: Pat
     assert rows[1]["verdict"] == judge_run(run).label
     assert float(rows[1]["oscillates at [Hz]"]) == 0.0
     # the other doors tell the same
-    assert f"1 {judge_run(run).label}; 1 refused" in done.out
+    assert judge_run(run).level is Level.ATTENTION
+    assert "ATTENTION 1 needs attention, 1 refused of 2 designs." in " ".join(done.out.split())
     refused, followed = json.loads(data.read_text("utf-8"))["designs"]
     assert (refused["label"], refused["peak_creep"]) == ("refused", None)
     assert followed["peak_creep"] == float(rows[1]["peak creep [m]"])

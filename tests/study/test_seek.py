@@ -107,8 +107,10 @@ def test_no_value_is_told_with_what_there_is() -> None:
     )  # fmt: skip
     assert code == 1
     told = " ".join(out.split())
-    assert "No wrap angle of pulley head from 60 deg to 540 deg gives creep at exit of 1 mm" in told
-    assert "the least is 4.86 mm, with 540 deg" in told
+    text = (
+        "No wrap from 60 to 540 deg gives creep 1 mm; minimum 4.86 mm (head, design; now 180 deg)."
+    )
+    assert f"FAILS {text} Action Try another input, or a wider range" in told
 
 
 def test_command_prints_and_writes_the_values(tmp_path: Path) -> None:
@@ -118,7 +120,9 @@ def test_command_prints_and_writes_the_values(tmp_path: Path) -> None:
     written = tmp_path / "found.json"
     code, out, _ = wraparc("seek", file, *goal, "--json", written)
     assert code == 0
-    assert "236.9 deg" in out
+    told = " ".join(out.split())
+    assert "ATTENTION Wrap 236.9 deg gives creep 6 mm (head, design; now 180 deg)." in told
+    assert "Also Creep 8.90 mm exceeds the 6.35 mm limit (head, start)." in told
     told = json.loads(written.read_text("utf-8"))
     (value,) = told["found"]
     setting = f"pulley.head.wrap_angle={value['value']!r} rad"

@@ -166,7 +166,7 @@ def test_draws_without_an_answer_are_no_draws_that_keep_the_limit() -> None:
     assert (group.over_limit.count, group.over_limit.total) == (6, 10)
     assert (group.breakaway.count, group.breakaway.total) == (2, 10)
     assert shown(histogram_sentence("exit_creep", found), "si") == (
-        "60 % of 10 draws exceed the creep limit of 8 mm, "
+        "60 % of 10 draws exceed the 8 mm creep limit, "
         "2 in gross slip and 1 without an answer among them."
     )
 

@@ -37,7 +37,7 @@ def test_it_opens_a_file_and_solves_in_other_processes_that_are_replaced(tmp_pat
     file = drive_file(tmp_path, text.replace('"diamond-rubber"', '"mine.toml"'), "own.toml")
     database = tmp_path / "folder" / "designs.sqlite"
     with serving(str(file), "--database", str(database), "--workers", "1") as server:
-        assert f"The calculator: http://127.0.0.1:{server.port}/" in server.told
+        assert f"Calculator: http://127.0.0.1:{server.port}/" in server.told
         assert str(database) in server.told
         assert database.exists()
         start = server.ask(f"{API}/start").json()

@@ -1,21 +1,18 @@
-"""Calibrations and overlays in words and tables."""
+"""Calibrations in words and tables."""
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
 
 from wraparc.answer.sheet import Row, Sheet, Table, Verdict, named, percent, quantity
-from wraparc.arc import ArcResult
 from wraparc.calibrate.calibration import FAR, Calibration, Estimate, Number, Problemset
-from wraparc.calibrate.fold import Folded
-from wraparc.calibrate.problem import OPEN_ZERO, predicted_number
+from wraparc.calibrate.problem import OPEN_ZERO
 from wraparc.checks import Level
 from wraparc.checks.action import Action
 from wraparc.checks.of_arc import COVER_UNKNOWN
 from wraparc.glossary import GLOSSARY
-from wraparc.train.turning import surface_sentence
 from wraparc.units import Dimension, fixed
 
 #: parameter -> title, dimension
@@ -42,6 +39,8 @@ _MOST_CORRELATED = 0.9
 #: Misfit that is no noise any more: of a course over its largest value, of a number over its
 #: standard deviation [-].
 _FAR_TRACE, _FAR_NUMBER = 0.1, 4.0
+#: Part of a standard deviation below which a misfit is what a search leaves [-].
+_NOISE = 1e-2
 _OTHER = "Check tensions, units and signs, and that the file describes the drive that was measured."
 
 
@@ -100,10 +99,10 @@ def _verdict(found: Calibration, problem: Problemset) -> Verdict:
     more = (*apart, *covered, *_mixed_words(found))
     if untold:
         names = ", ".join(n.replace("_", " ") for n in untold)
-        action = Action("Give a prior, fix some parameters, or measure another quantity.")
         return Verdict(
-            Level.ATTENTION, f"Not identified: {names}.", more, action=action, name="calibrate"
-        )
+            Level.ATTENTION, f"Not identified: {names}.", more, action=_MORE_DATA, data=_DATA,
+            name="calibrate",
+        )  # fmt: skip
     count = len(found.estimates)
     text = f"{count} parameter{'s' if count > 1 else ''} identified"
     if count <= _NAMED:
@@ -111,9 +110,14 @@ def _verdict(found: Calibration, problem: Problemset) -> Verdict:
     if apart:
         text = f"Drive deviates from {len(apart)} of {found.data} measured values; {text}"
     level = Level.ATTENTION if apart or covered else Level.OK
-    return Verdict(level, f"{text}.", more, name="calibrate")
+    action = Action(_OTHER) if apart else Action(_COVER) if covered else None
+    return Verdict(level, f"{text}.", more, action=action, data=_DATA, name="calibrate")
 
 
+#: What a calibration is worth, whatever its inputs.
+_DATA = "Inputs assumed: no validation."
+_MORE_DATA = Action("Give a prior, fix some parameters, or measure another quantity.")
+_COVER = "State slip_includes in the lagging."
 #: Parameters that the sentence names, at most, and their words in it.
 _NAMED = 2
 _WORDS = {
@@ -133,8 +137,8 @@ def _apart(found: Calibration, problem: Problemset) -> Iterator[str]:
     for n, miss in zip(problem.numbers, found.misfit, strict=False):
         if abs(miss) > _FAR_NUMBER * n.sd:
             yield (
-                f"{_title(n, problem)}: the best fit misses the measured "
-                f"{_value(n, n.value)} by {_value(n, abs(miss))}. "
+                f"{number_title(n, problem)}: the best fit misses the measured "
+                f"{number_text(n, n.value)} by {number_text(n, abs(miss))}. "
                 f"{_OTHER}"
             )
     for d in found.deviations:
@@ -168,7 +172,7 @@ def _covered(found: Calibration, *, outside: bool) -> Iterator[str]:
         yield f"{COVER_UNKNOWN}: with the cover in series {', '.join(there)}{where}."
 
 
-def _title(n: Number, problem: Problemset) -> str:
+def number_title(n: Number, problem: Problemset) -> str:
     """Return what a number is and where it was measured."""
     what = GLOSSARY[n.quantity].title
     if n.apparent:
@@ -176,16 +180,22 @@ def _title(n: Number, problem: Problemset) -> str:
     return f"{what}, {'zero record' if n is problem.zero else n.load_case}"
 
 
-def _value(n: Number, value: float) -> str:
+def number_text(n: Number, value: float) -> str:
     """Return a value of a number in words: what tachometers show is a percentage."""
     if n.apparent:
         return percent(_unless_noise(value, n.sd))
     return named(n.quantity, value)
 
 
+def _misfit_text(n: Number, miss: float) -> str:
+    """Return what the best fit misses a number by; what a search leaves is only bounded."""
+    least = _NOISE * n.sd
+    return number_text(n, miss) if miss >= least else f"< {number_text(n, least)}"
+
+
 def _unless_noise(value: float, size: float) -> float:
     """Return a value, 0 where it is none beside a standard deviation: what a search leaves."""
-    return value if abs(value) > 1e-2 * size else 0.0
+    return value if abs(value) > _NOISE * size else 0.0
 
 
 def _widths(found: Calibration) -> Table:
@@ -260,8 +270,8 @@ def _misfits(found: Calibration, problem: Problemset) -> Table:
     for n, miss in zip(problem.numbers, found.misfit, strict=False):
         rows.append(
             Row(
-                _title(n, problem),
-                (_value(n, n.value), _value(n, miss)),
+                number_title(n, problem),
+                (number_text(n, n.value), _misfit_text(n, abs(miss))),
             )
         )
     for t, miss in zip(problem.traces, found.misfit[len(problem.numbers) :], strict=True):
@@ -304,77 +314,6 @@ def _remarks(found: Calibration) -> Iterator[str]:
     )
     if any(e.name == "friction" for e in found.estimates):
         yield "Factors scale the whole friction law, equally at every slip and pressure."
-
-
-def overlay_sheet(
-    problem: Problemset,
-    folded: tuple[tuple[str, Folded], ...],
-    predicted: Mapping[str, tuple[ArcResult, ...]],
-    title: str,
-) -> Sheet:
-    """Return measured values beside the prediction of both methods."""
-    rows = []
-    for n in problem.numbers:
-        if n.tensions is not None:
-            continue  # no load case of the drive
-        results = predicted[n.load_case]
-        values = [predicted_number(r, n) for r in results]
-        texts = [_value(n, v) for v in (n.value, *values)]
-        rows.append(Row(_title(n, problem), tuple(texts)))
-    for t in problem.traces:
-        at_peak = [float(np.abs(t.value).max())]
-        apart = []
-        for r in predicted[t.load_case]:
-            if not r.status.solved:
-                at_peak.append(math.nan)
-                apart.append(math.nan)
-                continue
-            course = getattr(r.profile, t.quantity)
-            here = np.interp(t.position, r.profile.position, course)
-            at_peak.append(float(np.abs(here).max()))
-            apart.append(float(np.sqrt(np.mean((here - t.value) ** 2))))
-        name = f"{GLOSSARY[t.quantity].title}, {t.load_case}"
-        rows.append(Row(f"{name}: maximum", tuple(named(t.quantity, v) for v in at_peak)))
-        texts = ["-", *(named(t.quantity, v) for v in apart)]
-        rows.append(Row(f"{name}: rms difference", tuple(texts)))
-    heads = ("measured", *(r.method for r in next(iter(predicted.values()), ())))
-    tables = [Table("Measured and predicted", tuple(rows), heads, name="predicted")]
-    if folded:
-        tables.append(_records(folded))
-    first = next(iter(predicted.values()), ())
-    by_surface = any(n.apparent for n in problem.numbers) and any(
-        r.arc.pitch_offset is None for r in first
-    )
-    covered = any(r.arc.cover_left_out > 0.0 for r in first)
-    notes = (
-        *((surface_sentence(first[0].arc.diameter),) if by_surface else ()),
-        *((f"{COVER_UNKNOWN}: it is left out.",) if covered else ()),
-        *(note for _, f in folded for note in f.notes),
-        *(
-            f"Load case {r.arc.load_case}, {r.method}: {r.status}"
-            for results in predicted.values()
-            for r in results
-            if not r.status.solved
-        ),
-    )
-    return Sheet(title=title or "Measured drive", tables=tuple(tables), remarks=notes)
-
-
-def _records(folded: tuple[tuple[str, Folded], ...]) -> Table:
-    rows = [
-        Row(
-            case,
-            (
-                str(f.revolutions),
-                named("position", f.entry),
-                named("position", f.leaving),
-                named("position", f.seen),
-            ),
-        )
-        for case, f in folded
-    ]
-    heads = ("contact arcs", "entry nip at", "exit nip at", "signals seen over")
-    return Table("Records", tuple(rows), heads, name="records")
 
 
 def calibrate_document(found: Calibration) -> dict[str, Any]:

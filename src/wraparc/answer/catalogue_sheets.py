@@ -7,8 +7,21 @@ import numpy as np
 from wraparc import catalogue
 from wraparc.answer.input_tables import input_rows
 from wraparc.answer.inputs import lagging_inputs
-from wraparc.answer.sheet import NONE, Row, Sheet, Table, named, number, quantity
+from wraparc.answer.sheet import (
+    NONE,
+    Row,
+    Sheet,
+    Table,
+    Verdict,
+    between,
+    named,
+    number,
+    quantity,
+)
 from wraparc.answer.sources import Sources
+from wraparc.checks import Level
+from wraparc.checks.of_data import weak_inputs
+from wraparc.checks.verdict import data_line
 from wraparc.drive import CREEP_LIMIT, Fit, Lagging
 from wraparc.friction import CoefficientPieces, FrictionLaw, IntegralLog, PressureKnots
 from wraparc.glossary import GLOSSARY
@@ -75,11 +88,25 @@ def lagging_sheet(laggings: Sequence[Lagging]) -> Sheet:
     return Sheet(
         first.title or first.name,
         str(first.provenance),
-        None,
+        _lagging_verdict(laggings),
         tuple(tables),
         (*misfit, *remarks),
         of.listed(),
     )
+
+
+def _lagging_verdict(laggings: Sequence[Lagging]) -> Verdict:
+    """Return what a lagging is and was tested for, under its name, and what its data are worth."""
+    first = laggings[0]
+    what = f"{named('lagging_thickness', first.thickness)} {first.surface}".rstrip()
+    tested = [one.law.tested for one in laggings if one.law.tested is not None]
+    ends = "without tests"
+    if tested:
+        low, high = min(t.pressure_min for t in tested), max(t.pressure_max for t in tested)
+        slip = named("slip", max(t.slip_max for t in tested))
+        ends = f"tested {between('wrap_pressure', low, high)}, slip to {slip}"
+    data = data_line(tuple(item for lagging in laggings for item in weak_inputs(lagging)))
+    return Verdict(Level.OK, f"{what}, {ends}.", label=first.name, data=data.text, name="lagging")
 
 
 def _misfit(fit: Fit) -> list[str]:

@@ -11,7 +11,7 @@ import numpy as np
 from wraparc.answer.choose_verdict import choose_verdict
 from wraparc.answer.choose_words import design_name, reasons
 from wraparc.answer.least_tension import tension_at
-from wraparc.answer.sheet import Row, Sheet, Table, headed, number, percent, quantity
+from wraparc.answer.sheet import Row, Sheet, Table, headed, number, percent, quantity, started
 from wraparc.choose.across import MOST, is_uneven
 from wraparc.choose.belt_rating import LighterBelt
 from wraparc.choose.selection import Selection
@@ -48,14 +48,18 @@ def choose_sheet(
     return Sheet(
         title=search.title or f"Choice for {search.drive.title or 'the drive'}",
         subtitle=f"Pulley {search.pulley} of {search.drive.title or 'the drive'}: "
-        f"{len(selection)} designs, {len(selection.ranking)} within every limit"
-        f"{_but_edges(selection)}.",
+        f"{_counted(len(selection))}, {len(selection.ranking)} "
+        f"{'passes' if len(selection.ranking) == 1 else 'pass'}{_but_edges(selection)}.",
         verdict=told,
         tables=tuple(t for t in tables if t.rows),
         remarks=remarks,
         sources=sources,
         kept=remarks,
     )
+
+
+def _counted(count: int) -> str:
+    return "1 design" if count == 1 else f"{count:,} designs"
 
 
 def _but_edges(selection: Selection) -> str:
@@ -96,14 +100,10 @@ def _ranking(selection: Selection, most: int) -> Table:
     if is_uneven(selection.search):
         note += "; uneven: tightest strip at the entry over the mean tension, the worst case"
         note += ", - where not solved across the width" if len(selection.unjudged) else ""
-    note += (
-        f"; {more} more feasible designs, all of them in the CSV of wraparc choose"
-        if more > 0
-        else ""
-    )
+    note += f"; {more} more pass: --csv" if more > 0 else ""
     order = "as recommended" if max(selection.search.shape[4:]) > 1 else "cheapest first"
     return Table(
-        f"Designs within every limit, {order}",
+        f"Designs that pass, {order}",
         tuple(rows),
         _heads(selection),
         note,
@@ -119,18 +119,18 @@ def _rejected(selection: Selection, most: int) -> Table:
     bad = [int(i) for i in np.flatnonzero(~selection.feasible)]
     if len(bad) > most:
         rows = [
-            Row(standing.rule.what, (f"{count(standing.broken.sum())} designs miss it",))
+            Row(started(standing.rule.what), (_counted(int(standing.broken.sum())),))
             for standing in selection.standings.values()
             if standing.broken.any()
         ]
         return Table(
-            "Why designs were rejected",
+            "Rejected designs by missed check",
             tuple(rows),
-            note="each with its reasons in the CSV of wraparc choose",
+            note="every design with its missed checks: --csv",
             name="rejected",
         )
     rows = [Row(design_name(selection, i), ("",), note=reasons(selection, i)) for i in bad]
-    return Table("Rejected, with every limit broken", tuple(rows), name="rejected")
+    return Table("Rejected designs with their missed checks", tuple(rows), name="rejected")
 
 
 def _remarks(selection: Selection) -> Iterator[str]:

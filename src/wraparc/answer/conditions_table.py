@@ -94,7 +94,7 @@ def _told(check: Check) -> bool:
 _SAME = (
     "data", "belt_mass", "sense", "usual_sizes", "balance", "condition", "fit", "belt_tension",
     "momentary_tension", "belt_safety", "face_pressure", "pulley_diameter", "sag",
-    "tested_pressure_max", "tested_pressure_min", "train_balance",
+    "tested_pressure_max", "tested_pressure_min", "train_balance", "case_kind",
 )  # fmt: skip
 
 

@@ -124,8 +124,7 @@ def with_sides(told: Verdict, results: Sequence[DriveResult]) -> Verdict:
         + (" The customary limit was set with the paper's." if limit == CREEP_LIMIT else "")
         for limit, there in places.items()
     )
-    kept = told.sentences if told.kept is None else told.kept
-    return replace(told, sentences=(*said, *told.sentences), kept=(*said, *kept))
+    return replace(told, sentences=(*said, *told.sentences))
 
 
 def input_sheet(drive: Drive) -> Sheet:
@@ -148,6 +147,7 @@ def read_sheet(of: Drive | Train, inputs: Sequence[Table], sources: Sources) -> 
         inputs_ = "1 input" if implausible == 1 else f"{implausible} inputs"
         own = replace(own, level=Level.ATTENTION, text=f"Drive file valid, {inputs_} implausible.")
     told = under(own, format_verdict(judged, judged.full, stated_action(judged)))
+    told = replace(told, checks_at=Verdict.checks_at)
     found = check_table(judged, sources, "Checks before solving")
     title = of.title or ("Drive" if isinstance(of, Drive) else "Train")
     about = "" if isinstance(of, Drive) else of.description

@@ -7,7 +7,7 @@ from typing import Any
 
 from wraparc.answer.document import DOCUMENT_FORMAT
 from wraparc.answer.motion_sheet import work
-from wraparc.answer.sheet import NONE, Row, Sheet, Table, percent, quantity
+from wraparc.answer.sheet import NONE, Row, Sheet, Table, Verdict, percent, quantity
 from wraparc.checks import Level
 from wraparc.study.event_rows import NAMES, UNITS
 from wraparc.study.event_study import EventRow, EventStudy
@@ -23,7 +23,7 @@ def event_study_sheet(study: EventStudy, rows: Sequence[EventRow]) -> Sheet:
         "Te ripple",
         "friction work",
         "oscillates",
-        "verdict",
+        "status",
     )
     lines = [_line(study, row) for row in rows]
     refused = [f"{_named(study, r)}: {r.text}" for r in rows if r.refused]
@@ -33,19 +33,39 @@ def event_study_sheet(study: EventStudy, rows: Sequence[EventRow]) -> Sheet:
     )
     return Sheet(
         title=study.title or f"Event {study.event}",
-        subtitle=f"event {study.event}, {len(rows)} designs: {_counted(rows)}",
-        verdict=None,
+        subtitle=f"event {study.event}, {len(rows)} designs",
+        verdict=_verdict(rows),
         tables=(Table("Designs", tuple(lines), heads, note, "designs"),),
         remarks=tuple(refused),
         sources=(),
     )
 
 
-def _counted(rows: Sequence[EventRow]) -> str:
-    """How many designs come to which verdict, the best first."""
-    ranks = {str(level): level.rank for level in Level}
-    found = Counter((ranks.get(row.level, len(ranks)), row.label) for row in rows)
-    return "; ".join(f"{count} {word}" for (_, word), count in sorted(found.items()))
+def _verdict(rows: Sequence[EventRow]) -> Verdict:
+    """Return how many designs pass, need attention, fail and were refused."""
+    total, refused = len(rows), sum(row.refused for row in rows)
+    found = Counter(Level(row.level) for row in rows if not row.refused)
+    if found[Level.OK] == total:
+        return Verdict(Level.OK, f"All {total:,} designs pass.", name="study")
+    if found[Level.FAILS] == total:
+        return Verdict(Level.FAILS, f"All {total:,} designs fail.", name="study")
+    counts = [
+        f"{found[level]:,} {verb if found[level] > 1 else one}"
+        for level, verb, one in _ENDS
+        if found[level]
+    ]
+    counts += [f"{refused:,} refused"] if refused else []
+    text = f"{', '.join(counts)} of {total:,} designs."
+    return Verdict(Level.ATTENTION, text, name="study")
+
+
+#: How designs end, the worst first: of several, of one.
+_ENDS = (
+    (Level.FAULT, "without an answer", "without an answer"),
+    (Level.FAILS, "fail", "fails"),
+    (Level.ATTENTION, "need attention", "needs attention"),
+    (Level.OK, "pass", "passes"),
+)
 
 
 def _named(study: EventStudy, row: EventRow) -> str:

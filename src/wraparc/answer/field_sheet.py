@@ -6,13 +6,14 @@ from typing import Any
 
 from wraparc.answer.checks_table import verdict_document
 from wraparc.answer.sheet import NONE, Row, Sheet, Table, Verdict, named, percent, quantity
-from wraparc.answer.words import format_verdict, stated_action, under
+from wraparc.answer.words import under
 from wraparc.calibrate.field_numbers import TRIP_RULES, FieldNumbers
 from wraparc.checks import Level, Place
 from wraparc.checks import Verdict as Judgement
 from wraparc.checks.action import Action
 from wraparc.checks.of_arc import COVER_UNKNOWN
-from wraparc.checks.of_drive import COVERS
+from wraparc.checks.of_drive import LAYERS
+from wraparc.drive.pitch import USUAL_OFFSET
 from wraparc.train.turning import surface_sentence
 from wraparc.units import display, either
 
@@ -22,18 +23,15 @@ TAPE = 1e-3 / (2.0 * math.pi)
 
 def field_sheet(
     found: FieldNumbers | None,
-    judged: Judgement,
+    drive: Verdict,
     title: str,
     pulley: str,
     wear_source: str = "",
 ) -> Sheet:
-    """Return what to expect of a pulley in the field; `judged` is that of the whole drive."""
+    """Return what to expect of a pulley in the field; `drive` is the verdict on the whole drive."""
     if found is None:
-        return Sheet(
-            title=title,
-            subtitle=f"Pulley {pulley}: nothing to measure, as the belt slips on it.",
-            verdict=format_verdict(judged, judged.full, stated_action(judged)),
-        )
+        subtitle = f"Pulley {pulley}: nothing to measure, as the belt slips on it."
+        return Sheet(title=title, subtitle=subtitle, verdict=drive)
     rows = [
         Row(
             f"Healthy, {name}",
@@ -61,30 +59,39 @@ def field_sheet(
     return Sheet(
         title=title,
         subtitle=f"Pulley {pulley}: numbers to measure and to set.",
-        verdict=_verdict(found, judged, pulley),
+        verdict=_verdict(found, drive, pulley),
         tables=(speeds, _levels(found), *_wear(found, wear_source)),
         remarks=tuple(_remarks(found)),
         sources=tuple(f"{rule.name}: {rule.source}" for rule in TRIP_RULES),
     )
 
 
-def _verdict(found: FieldNumbers, judged: Judgement, pulley: str) -> Verdict:
+def _verdict(found: FieldNumbers, drive: Verdict, pulley: str) -> Verdict:
     worst = found.worst
     at_once, again = [*_at_once(found, worst)], _circumference(found)
     # no level that a tachometer pair is set by is an OK without the thickness of the belt
     surface = () if found.shown else (surface_sentence(found.diameter),)
     covered = tuple(_covered(found))
     doubt = not found.shown or at_once or found.alarms_at(found.covered or found.worst_seen)
-    more = (*at_once, *surface, *covered)
     own = Verdict(
         Level.ATTENTION if doubt else Level.OK,
         _levels_sentence(found, pulley),
-        (*more, *_rules(found, worst), again),
-        action=None if found.shown else Action(COVERS),
-        kept=(*more, again),
+        (*at_once, *surface, *covered, *_rules(found, worst), again),
+        action=_action(found, drive),
         name="field",
     )
-    return under(own, format_verdict(judged, judged.full, stated_action(judged)))
+    return under(own, drive)
+
+
+def _action(found: FieldNumbers, drive: Verdict) -> Action | None:
+    """Return what to do: about a drive that alarms; else the layers of the belt, where missing."""
+    alarms = found.alarms_at(found.worst_seen)
+    if alarms and drive.action:
+        return None
+    if found.shown:
+        return Action("Set each load case's own alarm level (--table levels).") if alarms else None
+    belt, points = quantity(2.0 * USUAL_OFFSET, "length"), 200.0 * USUAL_OFFSET / found.diameter
+    return Action(f"{LAYERS}: {belt} of belt shifts all by {points:.2f} points.")
 
 
 def _levels_sentence(found: FieldNumbers, pulley: str) -> str:

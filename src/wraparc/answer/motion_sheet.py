@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import asdict, replace
+from dataclasses import asdict
 from functools import lru_cache
 from typing import Any
 
@@ -30,13 +30,12 @@ _CALM = 0.02
 def run_sheet(run: RunResult) -> Sheet:
     """Return the answer of a run: the worst check first, then the numbers of every drum."""
     told = judge_run(run)
-    peaks, *others = _run_sentences(run)
-    own = format_verdict(told, [*told.full, peaks, *others], stated_action(told))
+    own = format_verdict(told, [*told.full, *_run_sentences(run)], stated_action(told))
     return Sheet(
         title=f"{run.station.train.title or 'Drive'}: {run.event.name}",
         subtitle=f"{run.steps} steps of {quantity(run.step, 'time')}, "
         f"{quantity(float(run.time[-1]), 'time')} followed",
-        verdict=under(replace(own, kept=tuple(others)), format_verdict(_steady(run.station.train))),
+        verdict=under(own, format_verdict(_steady(run.station.train))),
         tables=(*run_tables(run), check_table(told)),
         remarks=(*told.remarks, *_LEFT_OUT, *_surface(run.station.train)),
         kept=(*_LEFT_OUT, *_surface(run.station.train)),
@@ -272,7 +271,7 @@ def _verdict(result: StabilityResult, own: ControlAnswer) -> Verdict:
         f"per revolution ({turn:.3g} Hz) and {percent(own.pull_third * run_out, 2)} at three "
         f"({3.0 * turn:.3g} Hz), with {ways}."
     )
-    kept = (*_why(result), cure, forced)
+    reasons = (*_why(result), cure, forced)
     if not result.stable:
         double = math.log(2.0) / result.root.real
         text = (
@@ -280,15 +279,15 @@ def _verdict(result: StabilityResult, own: ControlAnswer) -> Verdict:
             f"{quantity(double, 'time', 2)}."
         )
         action = _calm_action(result, others, any_stable=True)
-        return Verdict(Level.FAILS, text, kept, action=action, name="stability")
+        return Verdict(Level.FAILS, text, reasons, action=action, name="stability")
     place = f"({last}, {said} run-out, {waves * turn:.3g} Hz)"
     if ripple <= _CALM:
         text = f"Stable: Te ripple {percent(ripple, 2)} of {percent(_CALM)} {place}."
-        return Verdict(Level.OK, text, kept, name="stability")
+        return Verdict(Level.OK, text, reasons, name="stability")
     shown = percent(ripple, 5 if percent(ripple, 2) == percent(_CALM, 2) else 2)
     text = f"Te ripple {shown} exceeds the {percent(_CALM)} limit {place}."
     action = _calm_action(result, others)
-    return Verdict(Level.ATTENTION, text, kept, action=action, name="stability")
+    return Verdict(Level.ATTENTION, text, reasons, action=action, name="stability")
 
 
 def _calm_action(

@@ -2,13 +2,15 @@
 
 import math
 
-from wraparc.answer.sheet import NONE, Row, Sheet, Table, started
-from wraparc.shear_test.record import MachineRecord
+from wraparc.answer.sheet import NONE, Row, Sheet, Table, Verdict, started
+from wraparc.checks import Level
+from wraparc.checks.action import Action
+from wraparc.shear_test.record import ColumnInfo, MachineRecord
 from wraparc.shear_test.strokes import find_strokes
 
 
 def record_sheet(record: MachineRecord) -> Sheet:
-    """Return columns, units, ranges, rows kept and dropped, and every choice made."""
+    """Return columns, units, ranges, rows used and dropped, and every choice made."""
     written = [record.encoding]
     if record.delimiter:
         written += [f"delimiter {record.delimiter}", f"decimal sign {record.decimal}"]
@@ -22,7 +24,7 @@ def record_sheet(record: MachineRecord) -> Sheet:
     )
     rows = [Row("Rows of numbers", (str(record.rows),)), Row("Used", (str(len(record.travel)),))]
     rows += [
-        Row("Left out", (str(item.count),), note=f"{item.reason}, from line {item.line}")
+        Row("Not used", (str(item.count),), note=f"{item.reason}, from line {item.line}")
         for item in record.dropped
     ]
     strokes = len(find_strokes(record.travel, record.force))
@@ -36,12 +38,33 @@ def record_sheet(record: MachineRecord) -> Sheet:
     return Sheet(
         title=record.file,
         subtitle=f"{record.place}{beside}; {', '.join(written)}",
+        verdict=_verdict(record),
         tables=(
             Table("Columns", columns, ("unit", "lowest", "highest")),
             Table("Rows", tuple(rows)),
         ),
         remarks=tuple(started(note) + "." for note in record.notes),
     )
+
+
+def _verdict(record: MachineRecord) -> Verdict:
+    """Return how many rows are used, and of which columns."""
+    used = len(record.travel)
+    if used < record.rows:
+        reasons = tuple(f"{item.count} rows: {item.reason}." for item in record.dropped)
+        text = f"{used:,} of {record.rows:,} rows used."
+        return Verdict(Level.ATTENTION, text, reasons, action=_SEE, name="read")
+    test = f"Test {record.block} of {record.blocks}" if record.blocks > 1 else "1 test"
+    columns = {column.role: column for column in record.columns}
+    named = [f"{role} {_column(columns[role])}" for role in ("travel", "force") if role in columns]
+    return Verdict(Level.OK, f"{test}, {used:,} rows: {', '.join(named)}.", name="read")
+
+
+_SEE = Action("Check the rows not used, below.")
+
+
+def _column(column: ColumnInfo) -> str:
+    return f"{column.name} ({column.unit})" if column.unit else column.name
 
 
 def _span(value: float) -> str:

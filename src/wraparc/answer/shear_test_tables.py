@@ -5,6 +5,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from wraparc.alike import largest
 from wraparc.answer.shear_test_budget import budget_table
 from wraparc.answer.shear_test_files import (
     files_table,
@@ -16,8 +17,9 @@ from wraparc.answer.shear_test_files import (
 from wraparc.answer.shear_test_head import circumstances_table
 from wraparc.answer.shear_test_numbers import slope
 from wraparc.answer.shear_test_standard import laws_table, standard_tables
-from wraparc.answer.sheet import NONE, Also, Row, Sheet, Table, Verdict
+from wraparc.answer.sheet import NONE, Also, Row, Sheet, Table, Verdict, named
 from wraparc.checks import Level
+from wraparc.checks.action import Action
 from wraparc.friction import ab_from_peak
 from wraparc.shear_test.analysis import ConditionResult, PlanResult, TestResult
 from wraparc.shear_test.campaign import NOT_STATED
@@ -118,16 +120,42 @@ def verdict(result: PlanResult) -> Verdict:
         count = len({problem.file for problem in result.left_out})
         text = f"{count} of {total} tests could not be used"
         text += f"; the law deviates from others ({counted(misfit)})." if misfit else "."
-        return Verdict(Level.ATTENTION, text, shown, name="fit")
+        action = Action("Check the tests left out (--table left-out).")
+        return Verdict(Level.ATTENTION, text, shown, action=action, name="fit")
     if misfit:
-        text = f"Fit rejected: the law deviates from its tests ({counted(misfit)})."
-        return Verdict(Level.ATTENTION, text, shown, name="fit")
+        action = Action("Repeat or leave out these tests, and fit again.")
+        return Verdict(Level.ATTENTION, _rejected(result), shown, action=action, name="fit")
     text = f"Fit accepted: {total} of {total} tests, maximum deviation {_deviation(result)[0]}."
     unsure = any(NOT_STATED in condition.remarks for condition in result.conditions)
     order = Also(Level.OK, "Test order missing: wear during the tests is not detectable.")
     return Verdict(
-        Level.OK, text, (_remainders(result),), also=(order,) if unsure else (), name="fit"
+        Level.OK,
+        text,
+        (_remainders(result),),
+        action=_peak_action(result),
+        also=(order,) if unsure else (),
+        name="fit",
     )
+
+
+def _rejected(result: PlanResult) -> str:
+    """Say how many tests deviate from the law, and which most."""
+    tests = [test for condition in result.conditions for test in condition.tests]
+    bad = [test for test in tests if test.judged.misfit]
+    worst = largest(bad or tests, lambda test: test.fit.remainder / _top(test))
+    share = 100 * worst.fit.remainder / _top(worst)
+    who = f"{len(bad)} tests deviate" if len(bad) > 1 else "1 test deviates"
+    who = who if bad else "law deviates from its tests"
+    return f"Fit rejected: {who}, worst {worst.test.file} by {share:.1f} % of friction."
+
+
+def _peak_action(result: PlanResult) -> Action | None:
+    """Return how far to test where the peak of the friction was not reached."""
+    tests = [test for condition in result.conditions for test in condition.tests]
+    slips = [test.fit.slip_max for test in tests if not test.fit.peak_inside]
+    if not slips:
+        return None
+    return Action(f"Test to more than {named('slip', max(slips))} slip to find the peak friction.")
 
 
 def _deviation(result: PlanResult) -> tuple[str, str]:
@@ -146,11 +174,11 @@ def _remainders(result: PlanResult) -> str:
     told = scatters and not result.plan.digitised
     between = f"; {max(scatters, key=lambda s: s.value).words}" if told else ""
     swings = [test.curve.swing for test in tests if test.curve.swing is not None]
-    largest = max(swings, default=None)
+    widest = max(swings, default=None)
     stick_slip = (
-        f" Stick-slip varies friction by up to {100 * largest.size:.0f} %, every "
-        f"{quantity(largest.period, 'length', 2)}."
-        if largest
+        f" Stick-slip varies friction by up to {100 * widest.size:.0f} %, every "
+        f"{quantity(widest.period, 'length', 2)}."
+        if widest
         else ""
     )
     return (

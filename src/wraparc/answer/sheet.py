@@ -5,7 +5,7 @@ label and one remark wherever it appears. Numbers stand in them as cells, in SI;
 sheet in a system of units.
 """
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, fields, replace
 from typing import Any, TypeVar, cast
 
@@ -162,8 +162,6 @@ class Verdict:
         What stands for the level, ``OK (dry)``; the level itself unless given.
     action
         What to do; None where nothing is to be done.
-    kept
-        Those of the sentences that a short answer keeps; all of them unless given.
     also
         What else is missed, the worst first.
     wet, data
@@ -171,6 +169,10 @@ class Verdict:
         said.
     reserve
         What little change of an input changes the verdict.
+    changes
+        What each change of the drive comes to, a sentence each.
+    checks_at
+        Where all checks that are missed are listed.
     name
         Of the command, where its own sentence comes first; else that of the check.
     check
@@ -184,11 +186,12 @@ class Verdict:
     sentences: tuple[str, ...] = ()
     label: str = ""
     action: Action | None = None
-    kept: tuple[str, ...] | None = None
     also: tuple[Also, ...] = ()
     wet: str = ""
     data: str = ""
     reserve: tuple[str, ...] = ()
+    changes: tuple[str, ...] = ()
+    checks_at: str = "--table checks"
     name: str = ""
     check: Check | None = None
     judged: Judgement | None = None
@@ -200,21 +203,34 @@ class Verdict:
 
     @property
     def lines(self) -> tuple[tuple[str, str], ...]:
-        """Label and text of every line but the first."""
-        lines = [("Action", self.action.text)] if self.action else []
-        for other in self.also[:MOST_ALSO]:
-            level = "" if other.level is self.level else f"{other.level}: "
-            lines.append(("Also", f"{level}{other.text}"))
-        more = len(self.also) - MOST_ALSO
-        if more > 0:
-            lines.append(("Also", f"{more} more (--table checks)."))
-        lines += [("Wet", self.wet)] if self.wet else []
-        lines += [("Reserve", text) for text in self.reserve]
-        return (*lines, ("Data", self.data)) if self.data else tuple(lines)
+        """Label and text of every line but the first, `MOST_LINES` with it."""
+        action = [("Action", self.action.text)] if self.action else []
+        last = [("Wet", self.wet)] if self.wet else []
+        last += [("Reserve", text) for text in self.reserve]
+        last += [("Data", self.data)] if self.data else []
+        room = MOST_LINES - 1 - len(action) - len(last)
+        changes = _lines_of("Change", self.changes, room - bool(self.also), "--table changes")
+        also = [
+            other.text if other.level is self.level else f"{other.level}: {other.text}"
+            for other in self.also
+        ]
+        further = _lines_of("Also", also, room - len(changes), self.checks_at, MOST_ALSO)
+        return (*action, *changes, *further, *last)
 
 
-#: How many further sentences a first screen has.
-MOST_ALSO = 2
+def _lines_of(
+    label: str, texts: Sequence[str], room: int, rest: str, most: int = 1000
+) -> list[tuple[str, str]]:
+    """Return the first texts, at most so many, and in the last line how many more there are."""
+    if len(texts) <= min(room, most):
+        return [(label, text) for text in texts]
+    first = texts[: max(0, min(room - 1, most))]
+    more = [(label, f"{len(texts) - len(first)} more ({rest}).")] if room > 0 else []
+    return [*((label, text) for text in first), *more]
+
+
+#: How many lines a first screen has above its tables, and how many further sentences.
+MOST_LINES, MOST_ALSO = 8, 2
 
 
 @dataclass(frozen=True)

@@ -11,11 +11,11 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from wraparc.answer.key_figures import key_figures
-from wraparc.answer.sheet import NONE, Row, Sheet, Table, Verdict
+from wraparc.answer.sheet import NONE, Row, Sheet, Table
 from wraparc.checks import Level
 
-#: Sentences of a short answer that names none to be kept, its remarks, longest text under a title.
-_SENTENCES, _REMARKS, _SUBTITLE = 8, 12, 100
+#: Remarks of a short answer, longest text under a title.
+_REMARKS, _SUBTITLE = 12, 100
 
 
 @dataclass(frozen=True)
@@ -147,11 +147,10 @@ def short_sheet(sheet: Sheet, table_hint: str = "", rest: str = "") -> Sheet:
             shown[-1] = replace(before, rows=before.rows + part.rows)
         else:
             shown.append(part)
-    words = _words(sheet.verdict)
     remarks = (sheet.remarks if sheet.kept is None else sheet.kept)[:_REMARKS]
     ground = () if len(sheet.sources) > 1 else sheet.sources  # what all of it is based on
     left_out = {
-        "sentence": len(sheet.verdict.sentences) - len(words) if sheet.verdict else 0,
+        "sentence": len(sheet.verdict.sentences) if sheet.verdict else 0,
         "remark": sum(remark not in remarks for remark in sheet.remarks),
         "row": cut,
         "table": len(sheet.tables) - len(shown),
@@ -159,7 +158,7 @@ def short_sheet(sheet: Sheet, table_hint: str = "", rest: str = "") -> Sheet:
     bare = Sheet(
         title=sheet.title,
         subtitle=sheet.subtitle if len(sheet.subtitle) <= _SUBTITLE else "",
-        verdict=sheet.verdict and replace(sheet.verdict, sentences=words),
+        verdict=sheet.verdict and replace(sheet.verdict, sentences=()),
         tables=tuple(shown),
         foot=(
             *(table.brief for table in sheet.tables if table.brief),
@@ -204,13 +203,6 @@ def _part(table: Table, rows: list[Row], pick: _Pick) -> Table:
 
 def _bad(row: Row) -> bool:
     return row.level is not None and row.level.rank >= Level.ATTENTION.rank
-
-
-def _words(verdict: Verdict | None) -> tuple[str, ...]:
-    """Return the sentences that a short answer keeps."""
-    if verdict is None:
-        return ()
-    return verdict.sentences[:_SENTENCES] if verdict.kept is None else verdict.kept
 
 
 def _attention(hidden: Sequence[tuple[Table, Sequence[Row]]], hint: str) -> Iterator[str]:

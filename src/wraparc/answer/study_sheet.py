@@ -68,7 +68,7 @@ def study_sheet(
     if local is None and summary.groups:
         tables += _group_tables(summary, units)
     tables += varied_table(data)
-    told, said = verdict(summary), (*_remarks(summary), *remarks)
+    told, said = verdict(summary, indices), (*_remarks(summary), *remarks)
     return Sheet(
         title=str(data["title"]),
         subtitle=subtitle(data),

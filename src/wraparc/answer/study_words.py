@@ -6,12 +6,15 @@ import math
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
-from wraparc.answer.sheet import Row, Table, Verdict, named, percent, quantity, started
+from wraparc.alike import largest
+from wraparc.answer.sheet import Also, Row, Table, Verdict, named, percent, quantity, started
 from wraparc.checks import RULES, Level
+from wraparc.checks.action import Action
 from wraparc.glossary import GLOSSARY
 from wraparc.study.fields import names_of
 from wraparc.study.histogram import LEAST, LIMITED, Histogram, Limit
 from wraparc.study.monte_carlo import Group, Summary
+from wraparc.study.sensitivity import Global
 from wraparc.units import Dimension, distinct, in_units
 
 _SETTINGS = {"engineering": "creep within 1e-4", "precise": "the accuracy of `wraparc solve`"}
@@ -24,7 +27,7 @@ _ENDS = (
     (Level.FAULT, "could not be solved"),
     (Level.FAILS, "fail"),
     (Level.ATTENTION, "need attention"),
-    (Level.OK, "pass every check that is made"),
+    (Level.OK, "pass"),
 )
 #: What the limit of a result is called.
 LIMITS = dict.fromkeys(LEAST, "the margin") | {
@@ -45,8 +48,16 @@ def _cases(data: Mapping[str, Any]) -> int:
     return len(data["load_cases"]) * max(1, len(data["conditions"]))
 
 
-def verdict(summary: Summary) -> Verdict:
-    """Return the answer in words: the share beyond the creep limit, how rows end, what governs."""
+def verdict(summary: Summary, indices: Global | None = None) -> Verdict:
+    """Return the answer in words: the share beyond the creep limit, how rows end, what governs.
+
+    Parameters
+    ----------
+    summary
+        The results of a study.
+    indices
+        Parts of their variance, if they were asked for.
+    """
     counts, judged, total = summary.counts, summary.judged, sum(summary.counts.values())
     missed = judged.missed
     level = Level.ATTENTION if missed or judged.total < total else Level.OK
@@ -54,23 +65,46 @@ def verdict(summary: Summary) -> Verdict:
         level = Level.FAILS
     what = "designs" if _cases(summary.data) == 1 else "rows"
     unanswered = sum(counts[word] for word, _ in _NO_ANSWER)
-    lost = ((counts["breakaway"], "in gross slip"), (unanswered, "without an answer"))
-    sentences = [f"{started(_ends(summary))}{_among(lost)}."]
+    lost = _lost((counts["breakaway"], "in gross slip"), (unanswered, "without an answer"))
+    ends = f"{started(_ends(summary))}."
+    sentences = [ends, *([f"{started(lost)}."] if lost else [])]
+    also = [ends] if level is Level.ATTENTION else []
     for word, why in _NO_ANSWER:
         if counts[word]:
             sentences.append(f"{counts[word]:,} {what} have no answer: {why}.")
     if missed:
         name, most = next(iter(missed.items()))
         of = part(most, sum(missed.values())) if len(missed) > 1 else "all"
-        governs = f"{started(RULES[name].what)} governs {of} of those that fail or need attention."
-        sentences.append(governs)
+        sentences.append(f"{started(RULES[name].what)} governs {of} of these.")
+        also += sentences[-1:] if also and summary.over_limit.count else []
     left = summary.data.get("not_checked", ())
     ground = summary.data.get("ground", "") if level is Level.OK else ""
     if left:
         sentences.append(f"Rows leave out {' and '.join(left)}, which `wraparc solve` checks.")
     label = f"{level}, {ground}" if ground else ""
-    text, data = _sentence(summary, level, what), summary.data.get("data_line", "")
-    return Verdict(level, text, tuple(sentences), label, data=data, name="study")
+    return Verdict(
+        level,
+        _sentence(summary, level, what),
+        tuple(sentences),
+        label,
+        action=_first_input(summary, indices) if level is not Level.OK else None,
+        also=tuple(Also(level, text) for text in also),
+        data=summary.data.get("data_line", ""),
+        name="study",
+    )
+
+
+def _first_input(summary: Summary, indices: Global | None) -> Action | None:
+    """Return which input to control first: the one that makes most of the variance of the creep."""
+    of_creep = [
+        of_case["exit_creep"] for of_case in (indices or {}).values() if "exit_creep" in of_case
+    ]
+    inputs = [one for found in of_creep for one in found.inputs]
+    if not inputs:
+        return None
+    most = largest(inputs, lambda one: one.first)
+    name = names_of(summary.data)(most.name)
+    return Action(f"Try controlling {name} first: {percent(most.first, 2)} of the creep variance.")
 
 
 def _sentence(summary: Summary, level: Level, what: str) -> str:
@@ -85,8 +119,7 @@ def _sentence(summary: Summary, level: Level, what: str) -> str:
     if over.count and not math.isnan(weighted):
         return f"{_over_time(weighted, summary, what)}."
     if over.count:
-        beyond = _exceed("exit_creep", over.count, over.total, what, summary.creep_limit)
-        return f"{beyond}."
+        return f"{_exceed('exit_creep', over.count, over.total, what, summary.creep_limit)}."
     if not missed:
         return (
             f"{started(part(total - summary.judged.total, total))} of {total:,} {what} not judged."
@@ -128,13 +161,10 @@ def _of_time(share: float) -> str:
 
 
 def _over_time(share: float, summary: Summary, what: str) -> str:
-    """Say how much of the time the creep limit is not kept."""
-    total = summary.over_limit.total
-    count = 0 if share <= 0.0 else total if share >= 1.0 else 1  # for none, all and the verb
-    text = _exceed("exit_creep", count, total, what, summary.creep_limit)
-    rest = text.partition(f" of {total:,} ")[2]
-    weighted = "weighted by time"
-    return f"{started(_of_time(share))} of {total:,} {rest}, {weighted}"
+    """Say how much of the time the creep limit is exceeded."""
+    total, limit = summary.over_limit.total, summary.creep_limit
+    beyond = _missed_limit("exit_creep", limit, some=share > 0.0)
+    return f"{started(_of_time(share))} of {total:,} {what} {beyond}, weighted by time"
 
 
 def part(count: int, total: int) -> str:
@@ -150,31 +180,36 @@ def part(count: int, total: int) -> str:
 
 
 def _exceed(name: str, count: int, total: int, what: str, limit: Limit) -> str:
-    """Say which part of the rows does not keep the limit of a result."""
-    verb = "exceed" if limit.at_most else "fall short of"
-    if not count:
-        verb = "exceeds" if limit.at_most else "falls short of"
-    words = LIMITS[name]
-    if not math.isnan(limit.least):
-        ends = distinct(named(name, v) for v in (limit.least, limit.most))
-        words += f" of {' to '.join(ends)}"
-    return f"{started(part(count, total))} of {total:,} {what} {verb} {words}"
+    """Say which part of the rows misses the limit of a result."""
+    beyond = _missed_limit(name, limit, some=count > 0)
+    return f"{started(part(count, total))} of {total:,} {what} {beyond}"
 
 
-def _among(lost: tuple[tuple[int, str], ...]) -> str:
-    told = " and ".join(f"{count:,} {how}" for count, how in lost if count)
-    return f", {told} among them" if told else ""
+def _missed_limit(name: str, limit: Limit, *, some: bool) -> str:
+    """Return that some or none misses the limit of a result, ``exceed the 6.35 mm creep limit``."""
+    verb = ("exceed" if some else "exceeds") if limit.at_most else "fall short of"
+    if not some and not limit.at_most:
+        verb = "falls short of"
+    if math.isnan(limit.least):
+        return f"{verb} {LIMITS[name]}"
+    ends = " to ".join(distinct(named(name, v) for v in (limit.least, limit.most)))
+    if name == "exit_creep":
+        return f"{verb} the {ends} creep limit"
+    return f"{verb} {LIMITS[name]} of {ends}"
+
+
+def _lost(*counts: tuple[int, str]) -> str:
+    return " and ".join(f"{count:,} {how}" for count, how in counts if count)
 
 
 def histogram_sentence(name: str, found: Histogram) -> str:
-    """Say which part of the draws does not keep the limit of a result; what is drawn otherwise."""
-    lost = _among(((found.away, "in gross slip"), (found.unanswered, "without an answer")))
+    """Say which part of the draws misses the limit of a result; what is drawn otherwise."""
+    lost = _lost((found.away, "in gross slip"), (found.unanswered, "without an answer"))
     if math.isnan(found.limit.least):
-        without = lost.removesuffix(" among them").removeprefix(", ")
         title = GLOSSARY[name].title
-        return f"{title} of {found.total:,} draws{f'; {without}' if without else ''}."
-    said = _exceed(name, found.beyond, found.total, "draws", found.limit)
-    return f"{said}{lost if found.beyond else ''}."
+        return f"{title} of {found.total:,} draws{f'; {lost}' if lost else ''}."
+    among = f", {lost} among them" if lost and found.beyond else ""
+    return f"{_exceed(name, found.beyond, found.total, 'draws', found.limit)}{among}."
 
 
 def varied_table(data: Mapping[str, Any]) -> Iterator[Table]:

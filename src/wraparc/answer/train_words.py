@@ -1,7 +1,6 @@
 """The answer for a train in words: who carries more and why, and how exactly speeds must match."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 from math import floor, isfinite, isnan, log10, nan
 
 from wraparc.answer.sheet import Verdict, named, percent
@@ -9,8 +8,8 @@ from wraparc.answer.words import (
     action_of,
     format_verdict,
     minimum_sentences,
-    stated_action,
     under,
+    whole_verdict,
 )
 from wraparc.checks import Level, Place, idle, judge
 from wraparc.checks.action import Action
@@ -50,9 +49,7 @@ def train_verdict(result: TrainResult, *, search: bool = True) -> Verdict:
     others = [s for case in result if case is not worst for s in short_sentences(case)]
     sentences = [*minimum_sentences(result), *judged.full, *governing, *others]
     action = action_of(result, search=search)
-    # what splits besides is no check, and is said where the answer is short too
-    kept = tuple(governing[1:2]) if worst.other_splits else ()
-    return replace(format_verdict(judged, sentences, action), kept=kept)
+    return format_verdict(judged, sentences, action)
 
 
 def _fights(case: CaseResult) -> bool:
@@ -238,23 +235,21 @@ def matching_verdict(result: TrainResult, matching: Matching) -> Verdict:
             f"Load share of {member.name} is {percent(member.share)}, equal share {percent(fair)} "
             f"({case.case.name})."
         )
-    judged = judge(result)
     what = GLOSSARY[matching.trim.quantity].title.lower()
-    load, losses = [*_against_load(matching.load)], [*_losses(matching)]
     sentences = [
         *_who_and_why(matching),
         *surface_speeds(case),
         *_range(matching.trim, member.name, what.split()[-1]),
-        *load,
+        *_against_load(matching.load),
         *_changes(matching),
-        *losses,
+        *_losses(matching),
     ]
     action = _setting(result, matching, equal)
     own = Verdict(
-        level, text, tuple(sentences), kept=(*load, *losses), name="trim",
+        level, text, tuple(sentences), name="trim",
         action=Action(action) if action else None,
     )  # fmt: skip
-    return under(own, format_verdict(judged, judged.full, stated_action(judged)))
+    return under(own, whole_verdict(result, search=own.action is None))
 
 
 def _trim(ratio: float) -> str:

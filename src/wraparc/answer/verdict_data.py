@@ -34,6 +34,7 @@ def verdict_object(told: Verdict, form: FormText) -> Data:
         **facts,
         "text": form(told.text),
         "action": told.action and action_data(told.action, form),
+        "changes": [form(text) for text in told.changes],
         "also": [_also(other, form) for other in told.also],
         "wet": None if judged is None else _wet(judged, told.wet, form),
         "reserve": [form(text) for text in told.reserve],

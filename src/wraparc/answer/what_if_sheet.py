@@ -10,10 +10,11 @@ from wraparc.alike import alike
 from wraparc.answer.across_tables import across_data, compared_table
 from wraparc.answer.key_figures import key_figures
 from wraparc.answer.least_tension import at_least, least_name, shown_least
-from wraparc.answer.sheet import NONE, Row, Sheet, Table, named, percent, row_of
-from wraparc.answer.words import alone, format_verdict, short, stated_action
+from wraparc.answer.sheet import NONE, Row, Sheet, Table, Verdict, named, percent, row_of
+from wraparc.answer.words import action_of, alone, format_verdict, short
 from wraparc.arc import ArcResult, DriveResult, WrapArc
-from wraparc.checks import judge, least_tension
+from wraparc.checks import Level, Place, judge, least_tension
+from wraparc.checks import Verdict as Judgement
 from wraparc.choose.what_if import WhatIf
 from wraparc.glossary import GLOSSARY
 from wraparc.train import TrainResult
@@ -31,6 +32,8 @@ _TENSIONS = frozenset({"entry_tension", "exit_tension", "effective_tension"})
 _KNOWN = _TENSIONS | {"creep_limit_capacity", "creep_limit_margin", "equivalent_friction"}
 #: parts of the creep that change less than this share of it are not told
 _WORTH_TELLING = 0.02
+#: part of the creep by which it differs where it is the same
+_NO_EFFECT = 1e-3
 
 
 def what_if_sheet(found: WhatIf, title: str) -> Sheet:
@@ -55,21 +58,10 @@ def what_if_sheet(found: WhatIf, title: str) -> Sheet:
     rows.append(Row(f"Minimum {least_name(wholes[0])}", least, note=note))
     rows += _standards(wholes)
     across = compared_table(_by_itself(found), heads)
-    as_is = judge(wholes[0])
-    sentences: list[str] = []
-    kept: list[str] = []
-    for change, after_it, after in zip(found.changes, wholes[1:], found.after, strict=True):
-        missed = [*_missed(found, after_it)]
-        why = [*_reasons(found, after_it, after)]
-        sentences += [f"{change.title}: {s}" for s in (*missed, *why)]
-        kept += [f"{change.title}: {s}" for s in (*missed, *why[:1])]
     return Sheet(
         title=title,
         subtitle=f"Pulley {found.pulley}, load case {found.load_case}, before and after.",
-        verdict=replace(
-            format_verdict(as_is, (_headline(found), *sentences), stated_action(as_is)),
-            kept=(_headline(found), *kept),
-        ),
+        verdict=_verdict(found),
         tables=(
             Table("Before and after", tuple(rows), heads, name="changes"),
             *([across] if across else []),
@@ -77,6 +69,42 @@ def what_if_sheet(found: WhatIf, title: str) -> Sheet:
         remarks=tuple(f"{c.title}: {c.note}" for c in found.changes if c.note),
         kept=(),
     )
+
+
+def _verdict(found: WhatIf) -> Verdict:
+    """Return the verdict on the drive as it is, with what each change comes to."""
+    now, sentences, changes = found.wholes[0], list[str](), list[str]()
+    for change, whole, after in zip(found.changes, found.wholes[1:], found.after, strict=True):
+        changes.append(f"{change.title}: {_outcome(found, whole, after)}.")
+        why = (*_missed(found, whole), *_reasons(found, whole, after))
+        sentences += [f"{change.title}: {sentence}" for sentence in why]
+    return replace(
+        format_verdict(judge(now), sentences, action_of(now)),
+        changes=tuple(changes),
+        checks_at="wraparc solve",
+    )
+
+
+def _outcome(found: WhatIf, whole: Whole, after: ArcResult) -> str:
+    """Return what a change comes to: the creep, and whether the whole drive passes with it."""
+    judged, before = judge(whole), judge(found.wholes[0])
+    worst = judged.governing
+    if worst is not None and worst.missed and not after.status.solved:
+        return f"{worst.level} {worst.label}"
+    creep = named("exit_creep", abs(after.exit_creep))
+    moved = abs(after.exit_creep - found.before.exit_creep)
+    if moved <= _NO_EFFECT * abs(after.exit_creep) and _misses(before) == _misses(judged):
+        return f"creep {creep}, no effect"
+    if worst is None or not worst.missed:
+        return f"creep {creep}, passes"
+    if worst.name == "creep" and worst.place[:2] == (found.pulley, found.load_case):
+        value, limit = worst.texts()
+        return f"creep {value} exceeds the {limit} limit"
+    return f"creep {creep}, {worst.level} {worst.label}"
+
+
+def _misses(judged: Judgement) -> set[tuple[str, Place, Level]]:
+    return {(check.name, check.place, check.level) for check in judged.missed}
 
 
 def _standards(wholes: Sequence[Whole]) -> Iterator[Row]:
@@ -109,31 +137,6 @@ def _missed(found: WhatIf, whole: Whole) -> Iterator[str]:
             yield f"{check.level}: {check.text}"
 
 
-def _headline(found: WhatIf) -> str:
-    parts = []
-    after_each = zip(found.changes, found.wholes[1:], found.drives[1:], found.after, strict=True)
-    for change, whole, result, after in after_each:
-        creep = named("exit_creep", after.exit_creep)
-        shown = creep if after.status.solved else short(result, after)
-        parts.append(f"{change.title} {shown}{_worse(found, whole)}")
-    before = "gross slip"
-    if found.before.status.solved:
-        before = named("exit_creep", found.before.exit_creep)
-    of = ""
-    drive = found.drives[0].drive
-    if len(drive.pulleys) > 1 or len(drive.load_cases) > 1:
-        of = f" of pulley {found.pulley}, load case {found.load_case}"
-    return f"{GLOSSARY['exit_creep'].title}{of}: now {before}; {'; '.join(parts)}."
-
-
-def _worse(found: WhatIf, whole: Whole) -> str:
-    """Say in brackets where a change makes the verdict on the whole drive worse."""
-    judged = judge(whole)
-    if judged.governing is None or judged.level.rank <= judge(found.wholes[0]).level.rank:
-        return ""
-    return f" ({judged.level}: {judged.governing.label})"
-
-
 def reasons(before: ArcResult, after: ArcResult, several: bool = False) -> Iterator[str]:
     """Yield why a result differs from another, from the largest part of the creep down.
 
@@ -153,7 +156,7 @@ def reasons(before: ArcResult, after: ArcResult, several: bool = False) -> Itera
 
 
 def _tension_words(before: WrapArc, after: WrapArc, several: bool) -> Iterator[str]:
-    """Yield what pull a change of tensions implies: a take-up alone does not change the pull."""
+    """Yield which Te a change of tensions implies: a take-up alone does not change it."""
 
     def of(name: str, arc: WrapArc) -> str:
         return named(name, getattr(arc, name))

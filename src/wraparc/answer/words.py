@@ -38,6 +38,13 @@ def verdict(result: DriveResult, *, search: bool = True) -> Verdict:
     return format_verdict(judged, sentences, action_of(result, search=search))
 
 
+def whole_verdict(result: "DriveResult | TrainResult", *, search: bool = True) -> Verdict:
+    """Return the verdict on a drive or train, to stand under the answer to another question."""
+    judged = judge(result)
+    told = format_verdict(judged, judged.full, action_of(result, search=search))
+    return replace(told, checks_at="wraparc solve")
+
+
 def action_of(result: "DriveResult | TrainResult", *, search: bool = True) -> Action | None:
     """Return what to do about a drive or train: tried, or what the governing check states."""
     judged = judge(result)
@@ -82,8 +89,7 @@ def format_verdict(
         tuple(sentences),
         judged.label,
         action,
-        (),
-        also=tuple(Also(check.level, check.text, check) for check in judged.also),
+        tuple(Also(check.level, check.text, check) for check in judged.also),
         wet=judged.wet_text,
         data=judged.data.text,
         name="" if worst is None else worst.name,
@@ -110,11 +116,11 @@ def under(own: Verdict, drive: Verdict) -> Verdict:
         first,
         level=level,
         sentences=own.sentences,
-        kept=own.kept,
         label=own.label or drive.label if level is Level.OK else "",
         action=first.action or second.action,
         also=(*first.also, *also),
         wet=drive.wet if own.check is None else own.wet,
+        checks_at="wraparc solve" if own.check is None else own.checks_at,
         data=own.data or drive.data,
         judged=own.judged or drive.judged,
     )

@@ -156,7 +156,7 @@ def load_measured(path: str | os.PathLike[str], *, overrides: Overrides = ()) ->
     InputError
         With everything that is wrong.
     """
-    return load(path, measured_from_document, overrides)
+    return load(path, measured_from_document, overrides, file_kind="calibrate")
 
 
 def measured_from_document(document: Document, *, file: str = "", folder: str = "") -> Measured:

@@ -125,6 +125,8 @@ class Check:
         How it ends.
     place
         Where.
+    is_placed
+        Whether the sentence ends with the place; not where the headline names it.
     quantity, noun
         What is compared: its key, and its name within a sentence.
     value, limit
@@ -161,6 +163,7 @@ class Check:
     title: str
     level: Level
     place: Place = NOWHERE
+    is_placed: bool = True
     quantity: str = ""
     noun: str = ""
     value: float = math.nan
@@ -296,7 +299,8 @@ class Check:
         if not self.headline:
             measured = self.measured
             return f"{self.title}{f': {measured}' if measured else ''}{self.place.bracket}."
-        return f"{self._filled(self.headline)}{self.place.bracket}."
+        where = self.place.bracket if self.is_placed else ""
+        return f"{self._filled(self.headline)}{where}."
 
     @property
     def action_text(self) -> str:

@@ -8,6 +8,7 @@ from weakref import WeakKeyDictionary
 
 from wraparc.arc import ArcResult, DriveResult
 from wraparc.checks import of_arc, of_data, of_drive, of_train
+from wraparc.checks.case_kind import case_kinds
 from wraparc.checks.check import Check, Level, Place
 from wraparc.checks.rule import idle, not_checked
 from wraparc.checks.rules import OF_PULLEY, spot_of
@@ -66,6 +67,7 @@ def before(described: Drive | Train) -> Verdict:
     checks += of_data.belt_mass(drive)
     checks += usual_sizes(drive, *(owners_of(described) if isinstance(described, Train) else ()))
     checks += of_drive.take_up(drive)
+    checks += case_kinds(drive)
     checks += diameters(drive)
     for case in drive.load_cases:
         there = drive.in_case(case)
@@ -95,6 +97,7 @@ def _drive(result: DriveResult, *others: Owner) -> Iterator[Check]:
     if any(pulley.across for pulley in drive.pulleys):
         yield from _across(result)
     yield from of_drive.take_up(drive)
+    yield from case_kinds(drive)
     yield from diameters(drive)
     yield from usual_sizes(drive, *others)
     for pulley in drive.pulleys:

@@ -190,6 +190,16 @@ def weak_sources(drive: Drive, pulley: Pulley) -> Iterator[tuple[str, str, str]]
         yield from ((kind, key, owner) for kind in weaknesses(source))
 
 
+def weak_inputs(lagging: Lagging) -> Iterator[tuple[str, str, str]]:
+    """Yield each weak input of a lagging: class, key and word, as of the line on the data."""
+    for kind in law_words(lagging)[0]:
+        if kind in GROUNDS:
+            yield kind, "friction", "friction"
+    for key, source in lagging.sources.items():
+        if key != "law":
+            yield from ((kind, key, key_word(key)) for kind in weaknesses(source))
+
+
 def weaknesses(source: Provenance) -> Iterator[str]:
     """Yield in what ways a number from a source is weak."""
     if source.note.startswith("estimated"):

@@ -24,7 +24,7 @@ from wraparc.drive.usual_sizes import USUAL_STRENGTH
 #: Part by which tensions of neighbouring pulleys may differ: rounding of what was typed [-].
 MEETS = 0.02
 #: What the effect of a belt's thickness needs.
-COVERS = "Give pulley_cover, carry_cover and carcass."
+LAYERS = "Give pulley_cover, carry_cover and carcass"
 #: Belts that may creep more than the customary limit, by carcass: rating above which [N/m].
 LARGER_CREEP = {"steel cord": 1600e3, "fabric": 140e3}
 #: Breaking strength over the largest tension that is customary, by carcass, where no rating says
@@ -79,7 +79,7 @@ def unknown_trim(first: str, shift: float, opposite: bool, place: Place) -> Chec
         place=place,
         label="trim without belt thickness",
         headline="Trim uncertain by {shift} %: belt thickness missing",
-        action=COVERS,
+        action=f"{LAYERS}.",
         full=why,
         more={
             "shift": Amount(100.0 * shift, "number"),

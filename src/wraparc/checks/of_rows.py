@@ -18,6 +18,7 @@ from wraparc.batch import BatchResult, Setting
 from wraparc.batch.arcs import Arcs
 from wraparc.batch.scaled import solve_scaled
 from wraparc.batch.sliding import slides_of, wet_creeps
+from wraparc.checks.case_kind import CASE_KIND, named_kind
 from wraparc.checks.check import Level, keeps, margin_to
 from wraparc.checks.design_standard import wrap_factors
 from wraparc.checks.numbers import ALIKE, KIND_STEP, MOST_USED, Sizes, compared_sizes, kind_of
@@ -119,6 +120,8 @@ class Held:
         Whether the law was not tested in its condition, but scaled to it, or before wear.
     misfit
         Whether the law does not describe its tests.
+    misnamed
+        Whether the load case is named as of another kind.
     open_trim
         Whether the trim against another drum is open without the thickness of the belt.
     """
@@ -136,6 +139,7 @@ class Held:
     cover_left_out: Array
     scaled: Flags
     misfit: Flags
+    misnamed: Flags
     open_trim: Flags
 
     def rows(self, which: slice | Integers) -> Held:
@@ -256,6 +260,7 @@ def held_by(
         cover_left_out=column(_cover_left_out),
         scaled=column(_scaled) > 0.0,
         misfit=column(_misfit) > 0.0,
+        misnamed=column(_misnamed) > 0.0,
         open_trim=_open_trims(drives, which, index, tensions),
     )
 
@@ -280,6 +285,10 @@ def _scaled(at: At) -> float:
 def _misfit(at: At) -> float:
     fit = at.pulley.lagging.fit
     return float(fit is not None and bool(fit.misfit))
+
+
+def _misnamed(at: At) -> float:
+    return float(named_kind(at.case) != "")
 
 
 def _slack_end(entry: Array, leaving: Array, index: int) -> Array:
@@ -451,7 +460,12 @@ def row_checks(
     names = {rule.result for rule in rules if rule.result}
     found = {n: of_course[n] if n in of_course else np.abs(solved[n]) for n in names}
     state = replace(held.state, found=found)
-    flags = {CONDITION: held.scaled, FIT: held.misfit, BELT_THICKNESS: held.open_trim}
+    flags = {
+        CONDITION: held.scaled,
+        FIT: held.misfit,
+        BELT_THICKNESS: held.open_trim,
+        CASE_KIND: held.misnamed,
+    }
     for rule in rules:
         if rule is GROSS_SLIP:
             yield _gross_slip(solved, held)

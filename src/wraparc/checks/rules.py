@@ -8,6 +8,7 @@ import math
 
 from wraparc.arc import ArcResult
 from wraparc.checks import of_arc
+from wraparc.checks.case_kind import CASE_KIND
 from wraparc.checks.check import Level, Place
 from wraparc.checks.of_arc import GROSS_SLIP, OF_GRIP, OF_LAGGING, OF_SLIP
 from wraparc.checks.of_data import OF_LAW
@@ -30,6 +31,7 @@ RULES = {
         TAUT,
         PULLEY_DIAMETER,
         USUAL_RULE,
+        CASE_KIND,
         *OF_MOTORS,
         TRAIN_BALANCE_RULE,
     )

@@ -37,7 +37,7 @@ def load_search(path: str | os.PathLike[str], *, overrides: Overrides = ()) -> S
     InputError
         With everything that is wrong.
     """
-    return load(path, search_from_document, overrides)
+    return load(path, search_from_document, overrides, file_kind="choose")
 
 
 def search_from_document(document: Document, *, file: str = "", folder: str = "") -> Search:

@@ -70,7 +70,7 @@ def _pulley(name: str | None) -> list[str]:
 @answers("predicted", "records", plot="Draw the measurements over the prediction.")
 def overlay(answer: Answer, file: str, settings: tuple[str, ...], pulley: str | None) -> int:
     """Compare the measurements that a calibrate FILE lists with the prediction of both methods."""
-    from wraparc.answer.calibrate_sheet import overlay_sheet
+    from wraparc.answer.overlay_sheet import overlay_sheet
     from wraparc.calibrate.file import load_measured, overlays
 
     measured = load_measured(

@@ -10,6 +10,7 @@ import click
 from wraparc.cli.answer import Answer
 from wraparc.cli.bar import bar
 from wraparc.cli.pipe import say
+from wraparc.cli.solve import code_told
 from wraparc.errors import input_error
 from wraparc.saving import interrupted
 from wraparc.study.event_rows import SUFFIXES, run_event_study
@@ -18,9 +19,9 @@ from wraparc.study.event_study import EventStudy, load_event_study
 
 def over_an_event(file: str) -> bool:
     """Whether a study file follows an event in time."""
-    from wraparc.schema.source import parse, read_text
+    from wraparc.schema.file_kinds import parse_kind
 
-    return "event" in parse(read_text(file), file)
+    return "event" in parse_kind(file, "study")
 
 
 def event_study(
@@ -44,11 +45,10 @@ def event_study(
     if dry_run:
         say(f"{len(asked.designs)} designs, each followed through {asked.event}.")
         return 0
-    _run(asked, path, answer, resume=resume)
-    return 0
+    return _run(asked, path, answer, resume=resume)
 
 
-def _run(asked: EventStudy, path: str, answer: Answer, *, resume: bool) -> None:
+def _run(asked: EventStudy, path: str, answer: Answer, *, resume: bool) -> int:
     from wraparc.answer.event_study_sheet import event_study_document, event_study_sheet
 
     with bar(len(asked.designs), "Following") as tell:
@@ -59,6 +59,6 @@ def _run(asked: EventStudy, path: str, answer: Answer, *, resume: bool) -> None:
             from wraparc.plot.event_study import plot_event_study
 
             answer.write("plot", lambda: plot_event_study(asked, rows, answer.units).save)
-        answer.give(
-            lambda: event_study_sheet(asked, rows), lambda: event_study_document(asked, rows)
-        )
+        told = event_study_sheet(asked, rows)
+        answer.give(lambda: told, lambda: event_study_document(asked, rows))
+    return code_told(told)

@@ -5,6 +5,7 @@ import click
 from wraparc.cli.answer import Answer, answers
 from wraparc.cli.options import place_options
 from wraparc.cli.output import Content
+from wraparc.cli.solve import code_told
 from wraparc.errors import placed
 from wraparc.units import parse_number
 
@@ -51,5 +52,6 @@ def family(
         return plot_family(results, answer.units, title=f"{title} - {where}").save
 
     answer.write("plot", picture)
-    answer.give(lambda: family_sheet(drive, results, title), lambda: family_document(results))
-    return 0 if all(r.status.solved for r in results) else 1
+    told = family_sheet(drive, results, title)
+    answer.give(lambda: told, lambda: family_document(results))
+    return code_told(told)

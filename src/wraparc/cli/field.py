@@ -42,6 +42,7 @@ def field(
     The numbers are for one pulley; verdict and exit code for the whole drive, as in wraparc solve.
     """
     from wraparc.answer.field_sheet import field_document, field_sheet
+    from wraparc.answer.words import whole_verdict
     from wraparc.checks import judge
     from wraparc.cli.solve import exit_code
     from wraparc.train.whole import by_pulley, solved
@@ -59,7 +60,7 @@ def field(
         found, source = on_site(whole, name, asked)
     judged, title = judge(whole), drive.title or "Drive"
     answer.give(
-        lambda: field_sheet(found, judged, title, name, source),
+        lambda: field_sheet(found, whole_verdict(whole), title, name, source),
         lambda: field_document(found, judged),
     )
     return exit_code(whole)

@@ -9,9 +9,9 @@ import click
 from wraparc.cli.options import check_outputs
 from wraparc.cli.output import STANDARD_OUTPUT
 from wraparc.cli.pipe import say
-from wraparc.errors import input_error, require
+from wraparc.errors import require
 from wraparc.saving import save_file
-from wraparc.schema.source import parse, read_text
+from wraparc.schema.source import read_text
 
 SUFFIXES = (".html", ".htm")
 #: Libraries that a page is made with, as the answers of the server are.
@@ -59,25 +59,6 @@ def save_page(output: str, made: Made) -> None:
     click.echo(f"Wrote {output}", err=True)
 
 
-#: Files that are no drives, by a key that only they have.
-_OTHERS = {
-    "axis": "a study, whose drive a page can show",
-    "sampling": "a study, whose drive a page can show",
-    "candidates": "a file of wraparc choose",
-    "rig": "a plan of shear tests",
-    "record": "a record of a measured drive",
-    "law": "a lagging, which a drive file can name",
-}
-
-
-def _refuse_others(file: str) -> None:
-    document = parse(read_text(file), file)
-    kind = next((words for key, words in _OTHERS.items() if key in document), "")
-    if kind and "pulley" not in document:
-        remedy = "Give the file of a drive: it has a [belt] table and a [[pulley]] table."
-        raise input_error(file=file, message=f"is {kind}, and no drive", remedy=remedy)
-
-
 def made_page(
     file: str | None,
     overrides: Sequence[str] = (),
@@ -96,7 +77,6 @@ def made_page(
 
     if file is None:
         return Made(page_file(*first_example()), "")
-    _refuse_others(file)
     document = overridden(opened(file), overrides, file=file)
     document = asking(document, conditions) if conditions else document
     if creep_limit is not None:

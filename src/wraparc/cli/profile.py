@@ -41,7 +41,9 @@ def profile(
     """
     from wraparc.across.measured import read_profile, within
     from wraparc.files.across_keys import ACROSS
+    from wraparc.schema.file_kinds import refuse_toml
 
+    refuse_toml(file)
     found = read_profile(
         file,
         new=None if new is None else parse_quantity(new, "length"),

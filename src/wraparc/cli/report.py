@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from wraparc.answer.sheet import Sheet
 from wraparc.arc import DriveResult
 from wraparc.cli.options import (
     check_outputs,
@@ -21,9 +22,10 @@ from wraparc.cli.output import STANDARD_OUTPUT
 from wraparc.cli.page import NEEDED, made_page, save_page
 from wraparc.cli.page import SUFFIXES as PAGES
 from wraparc.cli.pipe import say
+from wraparc.cli.show import Wanted, show
 from wraparc.cli.solve import SOLVED, code_of, exit_code, solved
 from wraparc.errors import InputError, require
-from wraparc.render.note import PAPERS, NoteHead, Paper
+from wraparc.render.note import PAPERS, NoteHead, Paper, compose_note
 from wraparc.saving import save_file
 from wraparc.schema.source import printable
 from wraparc.units import System
@@ -107,6 +109,9 @@ def report(
     carried = None if page_file is None else made_page(file, settings, asked, creep_limit)
     results, train = solved(read, "both", case, creep_limit, file)
     in_time = _in_time(file, settings)
+    told = compose_note(results, head, train, in_time)
+    if output != STANDARD_OUTPUT:
+        show(Sheet(told.title, verdict=replace(told.told, sentences=())), Wanted(units=units))
     _write(output, results, head, units, train, in_time)
     if page_file is not None and carried is not None:
         save_page(page_file, carried)

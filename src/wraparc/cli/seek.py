@@ -6,6 +6,7 @@ import click
 
 from wraparc.cli.answer import Answer, answers
 from wraparc.cli.options import place_options
+from wraparc.cli.solve import code_told
 
 
 @click.command()
@@ -23,7 +24,7 @@ def seek(answer: Answer, file: str, settings: tuple[str, ...], **goal: str | Non
 
     wraparc seek drive.toml --vary pulley.head.wrap_angle --result exit_creep --value "6 mm"
 
-    Exit code 1 if no value in the range does.
+    Exit code 1 if no value in the range does, or the drive fails with it.
     """
     from wraparc.answer.seek_sheet import seek_document, seek_sheet
     from wraparc.schema.overrides import read_document
@@ -31,9 +32,10 @@ def seek(answer: Answer, file: str, settings: tuple[str, ...], **goal: str | Non
     from wraparc.study.seek import seek as search
     from wraparc.train.keys import TRAIN_FILE
 
-    document = read_document(file, settings, TRAIN_FILE)
+    document = read_document(file, settings, TRAIN_FILE, "drive")
     wanted = Goal(**{key: text or "" for key, text in goal.items()})
     found = search(document, wanted, file=file, folder=dirname(file), allow_paths=True)
     title = str(document.get("title") or "Goal seek")
-    answer.give(lambda: seek_sheet(found, title), lambda: seek_document(found))
-    return 0 if found.values else 1
+    told = seek_sheet(found, title)
+    answer.give(lambda: told, lambda: seek_document(found))
+    return code_told(told)

@@ -134,6 +134,6 @@ def _database(given: str | None) -> str:
 
 
 def _tell(settings: "Settings") -> None:
-    click.echo(f"The calculator: {settings.address}")
-    click.echo(f"Saved designs:  {settings.shown_database}")
-    click.echo("Stop with Ctrl-C.")
+    click.echo(f"Calculator: {settings.address}")
+    click.echo(f"Designs: {settings.shown_database}")
+    click.echo("Stop: Ctrl+C")

@@ -48,6 +48,7 @@ def read(
     Missing information is requested, never guessed.
     """
     from wraparc.answer.shear_test_record import record_sheet
+    from wraparc.schema.file_kinds import refuse_toml
     from wraparc.shear_test import Choices, read_machine_tests
 
     choices = Choices(units=_units(units), stress_area=_area(stress_area), **said)
@@ -55,6 +56,7 @@ def read(
     shown_before = False
     for file in files:
         try:
+            refuse_toml(file)
             records = read_machine_tests(file, choices)
         except InputError as error:
             problems += error.problems

@@ -10,6 +10,7 @@ import click
 from wraparc.cli.answer import Answer, answers
 from wraparc.cli.bar import bar
 from wraparc.cli.pipe import say
+from wraparc.cli.solve import code_told
 from wraparc.saving import interrupted
 
 if TYPE_CHECKING:
@@ -104,8 +105,7 @@ def study(
         run_study(asked.study, path, how)
     click.echo(f"Wrote {path}", err=True)
     with interrupted(lambda: f"{path} is whole."):
-        _tell(asked, path, answer)
-    return _DONE
+        return _tell(asked, path, answer)
 
 
 def _size(asked: Study) -> str:
@@ -121,7 +121,7 @@ def _size(asked: Study) -> str:
     )
 
 
-def _tell(asked: StudyFile, path: str, answer: Answer) -> None:
+def _tell(asked: StudyFile, path: str, answer: Answer) -> int:
     from wraparc.answer.study_document import study_document
     from wraparc.answer.study_sheet import study_sheet
     from wraparc.render.page import study_page
@@ -148,3 +148,4 @@ def _tell(asked: StudyFile, path: str, answer: Answer) -> None:
         answer.write("plot", lambda: pictures[0].save)
         answer.write("report", lambda: study_page(sheet, svg, summary, answer.units))
     answer.give(lambda: sheet, lambda: study_document(summary, local=local, indices=indices))
+    return code_told(sheet)

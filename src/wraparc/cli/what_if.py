@@ -82,7 +82,8 @@ def _settings(file: str, said: dict[str, object]) -> Iterator[Change]:
     from wraparc.train.file import load_drive_or_train
 
     for text in _texts(said["changes"]):
-        yield Change(text, load_drive_or_train(file, overrides=[text]))
+        key, _, value = text.partition("=")
+        yield Change(f"{key.strip()} {value.strip()}", load_drive_or_train(file, overrides=[text]))
 
 
 def _texts(value: object) -> tuple[str, ...]:

@@ -45,7 +45,7 @@ def load_drive(
     InputError
         With everything that is wrong.
     """
-    return load(path, drive_from_document, overrides, DRIVE, allow_paths=allow_paths)
+    return load(path, drive_from_document, overrides, DRIVE, "drive", allow_paths=allow_paths)
 
 
 def overridden(document: Document, overrides: Overrides, *, file: str = "") -> Document:
@@ -178,7 +178,7 @@ def _of_case(
     """Return the tensions of the pulleys with those of a load case put over them."""
     tables = case.get("pulley", {})
     names = [item.name for item in own]
-    for name in tables:
+    for name in tables if own else ():  # without any pulley that is read, it is told elsewhere
         if name not in names:
             place = (*case.place, "pulley", name)
             report.add(place, "no such pulley", name_remedy(name, names))

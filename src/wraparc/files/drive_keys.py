@@ -35,7 +35,7 @@ from wraparc.schema.kinds import (
     WordOr,
 )
 from wraparc.schema.shared_keys import FORMAT_ENTRY, ORIGINS, PROVENANCE, known
-from wraparc.schema.tables import Entry, Table, limited, need
+from wraparc.schema.tables import Entry, Misplaced, Table, limited, need
 
 BELT = Table(
     "Belt",
@@ -162,7 +162,11 @@ LOAD_CASE = Table(
     "Load case",
     need("name", "Name of the case.", Name(), example='name = "start"'),
     Entry("description", "What happens then.", Text(1000, lines=True)),
-    Entry("kind", "Running (if left out), starting or braking.", Choice(CASE_KINDS)),
+    Entry(
+        "kind",
+        "Running (if left out), starting or braking; stopping is read as braking.",
+        Choice(CASE_KINDS, {"stopping": "braking"}),
+    ),
     Entry("condition", "Dry, wet ...; that of the drive if left out.", _CONDITION),
     Entry(
         "pulley",
@@ -171,6 +175,11 @@ LOAD_CASE = Table(
         title="Tensions",
     ),
     Entry("train", kind=Elsewhere()),
+    misplaced=Misplaced(
+        tuple(entry.key for entry in TENSIONS),
+        "tensions of a load case belong to its pulleys",
+        "Write pulley.NAME.{key}.",
+    ),
 )
 
 TAKE_UP = Table(

@@ -9,6 +9,7 @@ from wraparc.drive import Lagging
 from wraparc.errors import input_error, name_remedy, shown
 from wraparc.files.lagging_build import build_laggings
 from wraparc.files.lagging_keys import LAGGING_FILE
+from wraparc.schema.file_kinds import refuse_other
 from wraparc.schema.problems import Report
 from wraparc.schema.source import Document, parse, read_tables, read_text
 from wraparc.schema.tables import Record
@@ -120,7 +121,9 @@ def lagging_record(name_or_path: str, folder: str, allow_paths: bool) -> tuple[R
             value=shown(name_or_path),
         )
     path = os.path.join(folder, name_or_path)
-    return _record(read_text(path), path), path
+    document = parse(read_text(path), path)
+    refuse_other(document, "lagging", path)
+    return _checked_record(document, path), path
 
 
 def is_path(text: str) -> bool:

@@ -88,7 +88,7 @@ def load_motion(
     InputError
         With everything that is wrong.
     """
-    return load(path, motion_from_document, overrides, TRAIN_FILE, allow_paths=allow_paths)
+    return load(path, motion_from_document, overrides, TRAIN_FILE, "drive", allow_paths=allow_paths)
 
 
 def motion_from_text(text: str, *, file: str = "", folder: str = "") -> Motion:

@@ -7,14 +7,14 @@ run of the command line may take.
 """
 
 from abc import ABC, abstractmethod
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from decimal import Decimal
 from typing import Any
 
 from wraparc.errors import InputError, format_names, nearest
 from wraparc.schema.limits import Limit
-from wraparc.schema.problems import NOTHING, Place, Report
+from wraparc.schema.problems import NOTHING, Place, Report, place_text
 from wraparc.schema.quantity_text import quantity_text
 from wraparc.units import DIMENSION_TEXT, Dimension, display_unit, parse_quantity
 from wraparc.units.numbers import split_number
@@ -171,14 +171,17 @@ class Name(Kind):
 
 @dataclass(eq=False, repr=False)
 class Choice(Kind):
-    """One of a few words."""
+    """One of a few words; `others` are read as one of them, ``stopping`` as ``braking``."""
 
     options: tuple[str, ...]
+    others: Mapping[str, str] = field(default_factory=dict)
 
     def read(self, raw: object, place: Place, report: Report) -> Any:
         """Return the word."""
         if isinstance(raw, str) and raw in self.options:
             return raw
+        if isinstance(raw, str) and raw in self.others:
+            return self.others[raw]
         message = f"must be one of {format_names(self.options)}"
         report.add(place, message, nearest(raw, self.options, 1), raw)
         return NOTHING
@@ -189,7 +192,7 @@ class Choice(Kind):
 
     def schema(self) -> dict[str, Any]:
         """An enumeration."""
-        return {"type": "string", "enum": list(self.options)}
+        return {"type": "string", "enum": [*self.options, *self.others]}
 
 
 @dataclass(eq=False, repr=False)
@@ -260,6 +263,10 @@ class Rows(Kind):
 
     def read(self, raw: object, place: Place, report: Report) -> Any:
         """Return the values that could be read, NOTHING for the others."""
+        if isinstance(raw, dict) and place:  # [pulley] for [[pulley]]
+            name = place_text(place)
+            report.add(place, "must be an array of tables", f"Write [[{name}]] for [{name}].")
+            return NOTHING
         if not isinstance(raw, list):
             report.add(place, "must be an array", "Put it in [ ], as the examples show.", raw)
             return NOTHING

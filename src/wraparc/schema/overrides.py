@@ -10,9 +10,10 @@ from typing import Any, TypeVar
 
 from wraparc.errors import InputError, Problem, input_error, name_remedy, shown
 from wraparc.schema.below import below, own_key
+from wraparc.schema.file_kinds import parse_kind
 from wraparc.schema.kinds import Kind, table_labels
 from wraparc.schema.problems import Place, place_text
-from wraparc.schema.source import Document, parse, read_text
+from wraparc.schema.source import Document
 
 #: By key path, or texts ``PATH=VALUE``.
 Overrides = Mapping[str, object] | Iterable[str]
@@ -109,17 +110,28 @@ def put_over(
 
 
 def read_document(
-    path: str | os.PathLike[str], overrides: Overrides = (), table: Kind | None = None
+    path: str | os.PathLike[str],
+    overrides: Overrides = (),
+    table: Kind | None = None,
+    file_kind: str = "",
 ) -> Document:
     """Return the document of a file with values put over its own.
+
+    Parameters
+    ----------
+    path
+        The file.
+    overrides, table
+        As for `put_over`.
+    file_kind
+        What kind of file it must be, see `wraparc.schema.file_kinds`; any if empty.
 
     Raises
     ------
     InputError
-        If the file cannot be read, is no TOML, or an override does not fit.
+        If the file cannot be read, is no TOML, of another kind, or an override does not fit.
     """
-    name = os.fspath(path)
-    return put_over(parse(read_text(path), name), overrides, table, file=name)
+    return put_over(parse_kind(path, file_kind), overrides, table, file=os.fspath(path))
 
 
 def load(
@@ -127,11 +139,12 @@ def load(
     read: Callable[..., _T],
     overrides: Overrides = (),
     table: Kind | None = None,
+    file_kind: str = "",
     **more: Any,
 ) -> _T:
     """Return what `read` makes of the document of a file, told its name and its folder."""
     name = os.fspath(path)
-    document = read_document(path, overrides, table)
+    document = read_document(path, overrides, table, file_kind)
     return read(document, file=name, folder=os.path.dirname(name), **more)
 
 

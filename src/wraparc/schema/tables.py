@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterable, Mapping
 from dataclasses import MISSING, Field, dataclass, field, fields, replace
 from functools import cached_property
-from typing import Any
+from typing import Any, NamedTuple
 
 from wraparc.errors import format_list, near, nearest, shown
 from wraparc.schema.kinds import Choice, Flag, Kind, Quantity, WordOr
@@ -106,6 +106,22 @@ class Record(dict[str, Any]):
         return self.faulty.isdisjoint(keys) if keys else not self.faulty
 
 
+class Misplaced(NamedTuple):
+    """Keys that users put into a table and that belong elsewhere: one problem for all of them.
+
+    Attributes
+    ----------
+    keys
+        The keys.
+    message, remedy
+        What is wrong and what to do; ``{key}`` is the first of them.
+    """
+
+    keys: tuple[str, ...]
+    message: str
+    remedy: str
+
+
 class Table(Kind):
     """A table with known keys; any other key is a fault.
 
@@ -119,12 +135,20 @@ class Table(Kind):
         Class of what it describes, which states limits and what is if a key is left out.
     on_one_line
         Whether it reads best written on a line.
+    misplaced
+        Keys that belong elsewhere.
     """
 
     def __init__(
-        self, title: str, *entries: Entry, of: type | None = None, on_one_line: bool = False
+        self,
+        title: str,
+        *entries: Entry,
+        of: type | None = None,
+        on_one_line: bool = False,
+        misplaced: Misplaced | None = None,
     ) -> None:
         self.title, self.of, self.on_one_line = title, of, on_one_line
+        self.misplaced = misplaced
         self.entries = tuple(
             replace(e, kind=_kind_of(of, e.attribute)) if e.kind is OF_CLASS else e for e in entries
         )
@@ -143,7 +167,10 @@ class Table(Kind):
         given = self._renamed(raw, place, report)
         known = self._known
         record = Record({}, place, given)
-        for key in [key for key in given if key not in known]:
+        unknown = [key for key in given if key not in known]
+        if self.misplaced is not None:
+            unknown = self._without_misplaced(unknown, place, report)
+        for key in unknown:
             remedy = "" if report.full else unknown_key_remedy(key, known)
             report.add((*place, key), "unknown key", remedy)
             record.faulty.update(near(key, [k for k in known if k not in given], 1))
@@ -219,7 +246,16 @@ class Table(Kind):
     def having(self, *entries: Entry) -> "Table":
         """Return the table with other entries in place of those of the same keys."""
         other = {entry.key: entry for entry in entries}
-        return Table(self.title, *(other.get(e.key, e) for e in self.entries), of=self.of)
+        these = [other.get(e.key, e) for e in self.entries]
+        return Table(self.title, *these, of=self.of, misplaced=self.misplaced)
+
+    def _without_misplaced(self, unknown: list[str], place: Place, report: Report) -> list[str]:
+        """Return unknown keys without those that belong elsewhere, which are one problem."""
+        of = self.misplaced
+        there = [] if of is None else [key for key in unknown if key in of.keys]
+        if of is not None and there:
+            report.add((*place, there[0]), of.message, of.remedy.replace("{key}", there[0]))
+        return [key for key in unknown if key not in there]
 
     def _renamed(self, raw: dict[str, Any], place: Place, report: Report) -> dict[str, Any]:
         given = dict(raw)

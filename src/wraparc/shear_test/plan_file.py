@@ -51,7 +51,7 @@ def load_plan(path: str | os.PathLike[str]) -> TestPlan:
     InputError
         With everything that is wrong.
     """
-    return load(path, plan_from_document)
+    return load(path, plan_from_document, file_kind="plan")
 
 
 def plan_from_text(text: str, *, file: str = "") -> TestPlan:

@@ -130,7 +130,7 @@ def load_event_study(path: str | os.PathLike[str], *, overrides: Overrides = ())
     InputError
         With everything that is wrong.
     """
-    return load(path, event_study_from_document, overrides)
+    return load(path, event_study_from_document, overrides, file_kind="study")
 
 
 def event_study_from_document(

@@ -95,7 +95,7 @@ def load_study(path: str | os.PathLike[str], *, overrides: Overrides = ()) -> St
     InputError
         With everything that is wrong.
     """
-    return load(path, study_from_document, overrides)
+    return load(path, study_from_document, overrides, file_kind="study")
 
 
 def study_from_document(document: Document, *, file: str = "", folder: str = "") -> StudyFile:
@@ -156,7 +156,7 @@ def _plain(document: Document) -> Document:
 def _drive(path: str, record: Record, report: Report) -> tuple[Document, Drive | None]:
     """Return the drive file with the study's settings over it, and its drive."""
     try:
-        document = read_document(path, record.get("set", ()), DRIVE)
+        document = read_document(path, record.get("set", ()), DRIVE, "drive")
         whole = self_contained(document, os.path.dirname(path))
         return whole, any_drive_from_document(whole, file=path, allow_paths=True)
     except InputError as error:

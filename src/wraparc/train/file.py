@@ -75,7 +75,7 @@ def load_drive_or_train(
                 document = asking(document, conditions)
         return drive_or_train_from_document(document, also, **more)
 
-    return load(path, read, overrides, TRAIN_FILE, allow_paths=allow_paths)
+    return load(path, read, overrides, TRAIN_FILE, "drive", allow_paths=allow_paths)
 
 
 def drive_or_train_from_document(
@@ -121,7 +121,9 @@ def load_drive(
     InputError
         With everything that is wrong.
     """
-    return load(path, any_drive_from_document, overrides, allow_paths=allow_paths)
+    return load(
+        path, any_drive_from_document, overrides, file_kind="drive", allow_paths=allow_paths
+    )
 
 
 def any_drive_from_document(document: Document, **more: Any) -> Drive:

@@ -7,7 +7,8 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
-from wraparc.answer.calibrate_sheet import calibrate_sheet, overlay_sheet
+from wraparc.answer.calibrate_sheet import calibrate_sheet
+from wraparc.answer.overlay_sheet import overlay_sheet
 from wraparc.calibrate.calibration import Calibration, calibrate
 from wraparc.calibrate.file import (
     Measured,

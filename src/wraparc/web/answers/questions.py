@@ -2,9 +2,9 @@
 
 from wraparc.answer.field_sheet import field_sheet
 from wraparc.answer.what_if_sheet import what_if_sheet
+from wraparc.answer.words import whole_verdict
 from wraparc.arc import Distributed
 from wraparc.calibrate.on_site import OnSite, on_site
-from wraparc.checks import judge
 from wraparc.choose.named_changes import Named, changes_of
 from wraparc.choose.what_if import what_if
 from wraparc.drive import Drive
@@ -47,5 +47,5 @@ def expected(asked: OnSiteRequest) -> Sheet:
     pulley, _ = asked_for(drive, asked.pulley, None)
     known = OnSite(**asked.model_dump(exclude={"document", "pulley"}))
     found, source = on_site(whole, pulley.name, known)
-    judged, title = judge(whole), drive.title or "Drive"
-    return Sheet(**sheet(field_sheet(found, judged, title, pulley.name, source)))
+    told, title = whole_verdict(whole), drive.title or "Drive"
+    return Sheet(**sheet(field_sheet(found, told, title, pulley.name, source)))

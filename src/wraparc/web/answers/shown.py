@@ -135,6 +135,7 @@ class Verdict(Answer):
     used: float | None
     text: Text
     action: Action | None
+    changes: list[Text]
     also: list[Also]
     wet: Data | None
     reserve: list[Text]

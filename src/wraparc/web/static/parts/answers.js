@@ -60,13 +60,14 @@ export const stands = (how, ...children) =>
 const MOST_ALSO = 2;
 /** @typedef {[label: string, text: string, on?: boolean]} Line whether on the line before */
 /** Each line below the sentence of a verdict. @param {Verdict} v @returns {Line[]} */
-export function linesOf({ level, action, also = [], wet, reserve = [], data }) {
+export function linesOf({ level, action, changes = [], also = [], wet, reserve = [], data }) {
   const more = also.length - MOST_ALSO;
   const further = also
     .slice(0, MOST_ALSO)
     .map((a) => (a.level === level ? words(a.text) : `${a.level}: ${words(a.text)}`));
   const lines = /** @type {Line[]} */ ([
     ["Action", words(action?.text)],
+    ...changes.map((text) => ["Change", words(text)]),
     ...further.map((text) => ["Also", text]),
     ["Also", more > 0 ? `${more} more.` : "", true],
     ["Wet", words(wet?.text)],
