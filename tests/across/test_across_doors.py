@@ -85,15 +85,15 @@ FAULTS = [
     (
         '"2 mm", on = "diameter"',
         '"400 mm"',
-        "a deviation of the radius is expected, at most 100 mm",
+        "must be a deviation of radius up to 100 mm",
     ),
-    ('["-20 in"', '["-30 in"', "beyond the belt, which reaches from -609.6 mm to 609.6 mm"),
-    ('["-20 in"', '["21 in"', "positions must ascend from one edge of the belt to the other"),
-    ('"0.1 in"', '"0.6 in"', "deeper than the lagging is thick, 12 mm"),
+    ('["-20 in"', '["-30 in"', "must be between -609.6 mm and 609.6 mm, the edges"),
+    ('["-20 in"', '["21 in"', "the positions must ascend"),
+    ('"0.1 in"', '"0.6 in"', "must be less than the lagging thickness 12 mm"),
     ('"2 mm/m"', '"20 deg"', "an angle, where a plain number is needed"),
     ("strips = 24", "strips = 2", "must be a whole number from 4 to 128"),
     ('depth = "half"', 'depth = "deep"', 'must be one of "full", "half"'),
-    ('"465 mm"', '"4650 mm"', "wider than the belt"),
+    ('"465 mm"', '"4650 mm"', "must be less than the belt width"),
     ("deflection", "deflexion", 'Did you mean "deflection"?'),
 ]
 

@@ -101,7 +101,7 @@ def test_what_cannot_be_told_is_asked_for(
 
 def test_a_new_lagging_thinner_than_a_reading(tmp_path: Path) -> None:
     file = _write(tmp_path / "g.csv", "position [mm];thickness [mm]", (Y, 12.0 - _worn(Y)))
-    with pytest.raises(InputError, match="thinner than a reading"):
+    with pytest.raises(InputError, match="must be at least the reading"):
         read_profile(file, new=10e-3)
 
 

@@ -111,3 +111,47 @@ def test_a_belt_that_both_sides_pull_tight_slides_far_beyond_the_tested_pressure
     assert abs(solve_batch(far, lagging, setting=Setting.PRECISE)["exit_slip"][0]) == pytest.approx(
         15e-3, rel=1e-4
     )
+
+
+FALLING = """
+format = 1
+name = "falling"
+thickness = "5.6 mm"
+shear_modulus = "0.889 MPa"
+compression_modulus = "7.52 MPa"
+[law]
+kind = "integral-log"
+tested_slip = "18.5 mm"
+[[law.knots]]
+pressure = "21.5 kPa"
+peak_friction = 0.6145
+peak_slip = "7.805 mm"
+post_peak_slope = "-0.0157 1/mm"
+residual_friction = 0.3687
+[[law.knots]]
+pressure = "994 kPa"
+peak_friction = 0.5949
+peak_slip = "8.112 mm"
+post_peak_slope = "-0.0147 1/mm"
+residual_friction = 0.357
+"""
+
+
+def test_a_search_passes_pressures_at_which_a_falling_law_has_several_creeps(
+    tmp_path: Path,
+) -> None:
+    """At the place the slip of the arc is the tested 18.5 mm; on the way it tries 10 MPa."""
+    (tmp_path / "falling.toml").write_text(FALLING, "utf-8")
+    lagging = load_lagging(tmp_path / "falling.toml")
+    table = {"entry_tension": 21.16e3, "exit_tension": 30.18e3, "diameter": 1.1155,
+             "wrap_angle": 3.952, "belt_width": 0.7176, "belt_modulus": 28.7e6}  # fmt: skip
+    row = solve_batch(table, lagging, setting=Setting.PRECISE)
+    row = row.growing(np.array([21.885e3]), np.array([12.865e3]))
+    place = float(row[NEW][0])
+    assert place == pytest.approx(53.4, abs=1.0)
+    far = table | {
+        "entry_tension": 21.16e3 + (place - 1.0) * 12.865e3,
+        "exit_tension": 30.18e3 + (place - 1.0) * 21.885e3,
+    }
+    slip = abs(solve_batch(far, lagging, setting=Setting.PRECISE)["exit_slip"][0])
+    assert slip == pytest.approx(18.5e-3, rel=1e-4)

@@ -278,8 +278,8 @@ def test_all_faults_of_a_calibrate_file_are_told_at_once(tmp_path: Path) -> None
 
 def test_speeds_without_thickness_and_zero_are_asked_about(tmp_path: Path) -> None:
     told = faults(tmp_path, ASK + ERRORS, EXAMPLE.read_text("utf-8"))
-    assert "belt.thickness: not known, and a speed ratio holds it: 1.2 % for 10 mm of it" in told
-    assert "Give a [zero] record of the idling belt" in told
+    assert "belt.thickness: missing: without it a speed ratio is uncertain by 1.2 %" in told
+    assert "Give a [zero] record, or covers and carcass." in told
 
 
 def test_simulated_records_are_covered() -> None:

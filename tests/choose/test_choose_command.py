@@ -90,7 +90,7 @@ def test_the_picture(file: Path, tmp_path: Path) -> None:
             "cost.currency=EUR",
             (
                 'cost.currency: diamond-rubber and others priced in AUD, got "EUR". Write '
-                'currency = "AUD", or give their costs in EUR.'
+                'currency = "AUD", or give their costs.'
             ),
         ),
         ("cost.lagging={rubber={material=5}}", "no lagging among the candidates"),

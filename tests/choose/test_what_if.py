@@ -113,7 +113,7 @@ def test_the_command_tells_the_reasons(tmp_path: Path) -> None:
             '--worn: leaves no lagging, got "0 mm". Ask',
         ),
         (["--thickness", "1 km"], '--thickness: must be between 0 mm and 1000 mm, got "1 km".'),
-        (["--wet", "ISO"], 'no design values dry and wet of surface "rubber"'),
+        (["--wet", "ISO"], 'no design values dry and "wet" of surface "rubber"'),
         (["--wet", "80"], '--wet: must be more than 0 and at most 2, got "80".'),
         (["--wet", "1e99"], '--wet: must be more than 0 and at most 2, got "1e99".'),
         (["--wet", "1.3"], "more friction wet than dry"),

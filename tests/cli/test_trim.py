@@ -212,7 +212,7 @@ gear_ratio = 19
          "train.share: must have one value for each of the 2 pulleys, in belt order, got "
          '["50 %", "30 %", "20 %"].'),
         ([(SHARE, SHARE + '\nspeeds = "equal"')],
-         "train: share and speeds each decide how the load divides. Keep one of them."),
+         "train: share and speeds each decide how the load divides. Remove one of them."),
         ([("[train]", '[train]\nentry_tension = "160 kN"'),
           ('[[load_case]]\nname = "empty"\n', "")],
          "train: effective_tension makes 40 kN, the tensions 115 kN. Leave one of them out."),

@@ -67,7 +67,7 @@ def test_design_ratios_are_those_of_the_published_values() -> None:
     assert source.kind is Kind.PUBLISHED
     assert "rubber wet 0.35 over dry 0.4-0.45" in source.note
     assert design_ratio("DIN 22101", "ceramic", "wet")[0] == pytest.approx(0.375 / 0.425)
-    with pytest.raises(InputError, match='no design values dry and wet of surface "rubber"'):
+    with pytest.raises(InputError, match='no design values dry and "wet" of surface "rubber"'):
         design_ratio("CEMA", "rubber", "wet")
 
 

@@ -280,6 +280,6 @@ def test_faults_of_load_cases() -> None:
         'drive.toml: load_case[2].pulley.p1.power: a force, where a power is needed, got "90 '
         'kN". Write for example "250 kW".',
         'drive.toml: load_case[3].name: missing. Write name = "start".',
-        'drive.toml: load_case[1].pulley.p2: no such pulley. The pulleys are "p1".',
+        'drive.toml: load_case[1].pulley.p2: no such pulley. Write one of "p1".',
         'drive.toml: load_case.name: used 2 times, got "empty". Give each its own name.',
     ]

@@ -192,7 +192,7 @@ def test_settings_are_no_readings() -> None:
     settings = "\n".join(f"Channel {name};{k};{2 * k}" for k, name in enumerate("abcdefghijklmnop"))
     head = "Name;Load [N];Displacement [mm]\n"
     said = problems((head + settings + "\n").encode())
-    assert "holds settings or results in lines 2 to 17, no readings" in said
+    assert "contains settings or results in lines 2 to 17, no readings" in said
     assert len(read_machine_bytes((head + settings).encode(), "x", Choices(table=1)).force) == 16
     rows = "\n".join(f"{0.1 * k:.1f};{0.25 * k:.2f}" for k in range(12))
     both = f"{head}{settings}\n\nWeg [mm];Kraft [N]\n{rows}\n"

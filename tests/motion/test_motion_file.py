@@ -161,7 +161,7 @@ def test_a_record_is_read_with_its_units(tmp_path: Path) -> None:
     assert record.values[1] == pytest.approx(12.566370614)
     for text, sentence in (
         ("time,speed\n0,1\n", "with their units"),
-        ("time [s],speed [rpm]\n0,1\n1,\n", "line 3: the record has a gap"),
+        ("time [s],speed [rpm]\n0,1\n1,\n", "line 3: a value is missing"),
         ("time [s],speed [rpm]\n0,1\n1,x\n", "line 3"),
         ("time [s],speed [rpm]\n1,1\n0,1\n", "must ascend"),
     ):
@@ -179,7 +179,7 @@ def test_a_record_drives_an_event(tmp_path: Path) -> None:
     path.write_text(text, "utf-8")
     event = load_motion(path).event("as measured")
     assert event.happenings[0].values == (20e3, 22e3)  # type: ignore[attr-defined]
-    with pytest.raises(InputError, match=r"may not be named here. Put its lines in"):
+    with pytest.raises(InputError, match=r"cannot be a path here, got .record\.csv"):
         motion_from_text(text)
     lines = "time [s],torque [kN m]\\n0,20\\n1,22\\n"
     inside = text.replace('file = "record.csv"', f'record = "{lines}"')

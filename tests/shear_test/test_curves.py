@@ -294,9 +294,9 @@ def test_what_is_no_test_is_refused() -> None:
     refused("the force is zero throughout", force=np.zeros(2000))
     refused("there is no normal force", normal_force=None)
     refused("the measured normal force is zero in places", normal_force=np.zeros(2000))
-    refused("no shear test does", force=record.force * 1e9)
+    refused("implausible travel", force=record.force * 1e9)
     refused(
-        "readings of the pull can be used", travel=record.travel[few], force=record.force[few],
+        "usable readings, minimum", travel=record.travel[few], force=record.force[few],
         normal_force=record.normal_force[few] if record.normal_force is not None else None,
         lines=record.lines[few],
     )  # fmt: skip

@@ -217,7 +217,7 @@ def test_a_test_without_normal_force_is_left_out() -> None:
     tests = (replace(plan.tests[0], pressure=None), plan.tests[1])
     result = fitted(replace(plan, tests=tests), records)
     (problem,) = result.left_out
-    assert "there is no normal force" in str(problem)
+    assert "has no normal force" in str(problem)
     assert "Give pressure, normal_force or normal_force_column" in str(problem)
     with pytest.raises(InputError):
         fitted(replace(plan, tests=tests[:1]), records)
@@ -285,4 +285,4 @@ def test_readings_that_no_curve_passes_leave_the_others(monkeypatch: pytest.Monk
     found = fitted(plan, records)
     (problem,) = found.left_out
     assert (problem.key, len(found.conditions[0].tests)) == ("test[2]", 2)
-    assert "no curve can be laid through its readings (Singular matrix)" in problem.message
+    assert "no curve fits its readings (Singular matrix)" in problem.message

@@ -173,10 +173,10 @@ def test_a_stress_is_a_force_over_the_area_that_is_given() -> None:
     data = f"Travel;Shear stress;Normal stress\nmm;MPa;MPa\n{table}\n".encode()
     text = problems(data)
     assert "force column unclear" in text
-    assert "If 'Shear stress' is the force over an area, say over which" in text
+    assert 'Add --force, or --stress-area for "Shear stress".' in text
     text = problems(data, Choices(force="Shear stress"))
-    assert "the force column 'Shear stress' holds a stress [MPa], not a force" in text
-    assert '--stress-area "400 cm2"' in text
+    assert "column Shear stress holds a stress [MPa], not a force" in text
+    assert "Add --stress-area, or export the force." in text
     record = read_machine_bytes(data, "x", Choices(stress_area=0.04))
     assert record.force[3] == pytest.approx(12e3)
     assert "the force is 'Shear stress' [MPa] times 400 cm2" in record.notes[-1]
@@ -206,14 +206,14 @@ def test_tests_side_by_side_are_read_by_number(
     units = ";".join("mm" if "Travel" in name else "N" for name in names.split(";"))
     data = "\n".join([names, units, *rows, ""]).encode()
     text = problems(data)
-    assert "holds 2 tests side by side. Write block = 1 for the first" in text
+    assert "contains 2 tests side by side. Write block = 1 for the first" in text
     assert "block = 1" in text
     for block, (travel, force) in enumerate([(0.25e-3, 10.5), (0.5e-3, 4.0)], start=1):
         record = read_machine_bytes(data, "x", Choices(block=block))
         np.testing.assert_allclose(record.travel, travel * np.arange(15))
         np.testing.assert_allclose(record.force, force * np.arange(15))
         assert (record.block, record.blocks) == (block, 2)
-    assert "block: holds 2 tests side by side, got 3" in problems(data, Choices(block=3))
+    assert "block: contains 2 tests side by side, got 3" in problems(data, Choices(block=3))
     named = Choices(travel=columns[2] + 1, force=columns[3] + 1)
     assert read_machine_bytes(data, "x", named).force[1] == 4.0
     (tmp_path / "x.csv").write_bytes(data)
@@ -222,7 +222,7 @@ def test_tests_side_by_side_are_read_by_number(
 
 def test_a_block_of_a_file_with_one_test_is_refused() -> None:
     data = f"Time,Extension (mm),Load (N)\n{rows()}\n".encode()
-    assert "block: holds one test only, got 2" in problems(data, Choices(block=2))
+    assert "block: contains one test only, got 2" in problems(data, Choices(block=2))
 
 
 def test_axes_of_a_tribometer() -> None:

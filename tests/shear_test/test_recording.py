@@ -140,7 +140,7 @@ def test_a_copy_is_left_out_and_named(copy: str, place: str) -> None:
         change |= {"force": np.round(first.force), "travel": np.round(first.travel, digits)}
     records[place] = replace(first, **change)
     (problem,) = fitted(plan, records).left_out
-    assert "the file holds the same data as test[1]: it was counted once" in str(problem)
+    assert "contains the same data as test[1]. Name the right file" in str(problem)
 
 
 def test_lots_at_pressures_of_their_own_are_told() -> None:

@@ -81,7 +81,7 @@ def test_a_and_b_of_the_law_are_those_of_its_peak(sheet: Sheet) -> None:
 
 def test_what_was_left_out_comes_first(sheet: Sheet) -> None:
     assert sheet.tables[0].title == "Tests left out"
-    assert "holds the same data as test[9]" in sheet.tables[0].rows[0].title
+    assert "contains the same data as test[9]" in sheet.tables[0].rows[0].title
     assert sheet.verdict is not None
     assert sheet.verdict.level is Level.ATTENTION
     assert sheet.verdict.text.startswith("1 of 10 tests could not be used")

@@ -129,7 +129,7 @@ def test_a_cover_of_a_plan() -> None:
 @pytest.mark.parametrize(
     ("belt", "sentence"),
     [
-        ('cover_thickness = "4 mm"', "cover_shear_modulus: missing, and the cover shears"),
+        ('cover_thickness = "4 mm"', "cover_shear_modulus: missing: the cover shears"),
         ('cover_shear_modulus = "1 MPa"', "cover_thickness"),
         ('cover_thickness = "-4 mm"', "must be"),
         ('cover_thickness = "90 mm"\ncover_shear_modulus = "1 MPa"', "between 0 mm and 60 mm"),

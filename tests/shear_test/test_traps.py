@@ -112,7 +112,7 @@ def test_results_under_a_table_are_no_readings(footer: str, times: int) -> None:
 def test_a_row_of_factors_is_asked_about() -> None:
     text = table("Kanal;Zeit [s];Weg [mm];Kraft [N]", TIME, TIME, TRAVEL, FORCE)
     head, _, rows = text.partition("\n")
-    assert "a row of factors stands above the readings (Faktor 1 1 10)" in problems(
+    assert "has factors above the readings: Faktor 1 1 10" in problems(
         f"{head}\nFaktor;1;1;10\nOffset;0;0;0\n{rows}".encode()
     )
     is_right(read(f"{head}\nFaktor;1;1;1\nOffset;0;0;0\n{rows}"))

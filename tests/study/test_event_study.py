@@ -82,7 +82,7 @@ def test_an_interrupted_study_goes_on_to_the_same_rows(tmp_path: Path) -> None:
         run_event_study(asked, cut, progress=breaks)
     part = tmp_path / "cut.csv.part"
     assert not cut.exists()
-    with pytest.raises(InputError, match="an interrupted run has left its rows"):
+    with pytest.raises(InputError, match="an interrupted run has left rows"):
         run_event_study(asked, cut)
     kept = part.read_bytes()
     part.write_bytes(kept + b'{"values": ["10 s"], "peak')  # killed while it wrote

@@ -94,7 +94,7 @@ def test_a_dry_run_only_tells_the_size(tmp_path: Path) -> None:
         (["--set", "sampling.samples=1000000"], "--confirm 20000000"),
         (["--scheduler", "tcp://127.0.0.1:1"], "no Dask scheduler answers there"),
         (["--set", "axis[2].median=-1"], "median: must be more than 0"),
-        (["--set", "axis[2].field=belt.colour"], "a drive file has no such field"),
+        (["--set", "axis[2].field=belt.colour"], "no such drive field"),
         (["-o", "no/such/a.parquet"], "there is no folder"),
         (["-o", "a.xlsx"], "must be .parquet"),
         (["--plot", "a.gif"], "must be .svg or .png or .pdf"),

@@ -16,7 +16,7 @@ BAD: list[tuple[list[dict[str, Any]], dict[str, Any], str]] = [
     (
         [{**TAKE_UP, "field": "pulley.head.exit_tenson"}],
         {},
-        ('a drive file has no such field, got "pulley.head.exit_tenson". Did you mean '
+        ('no such drive field, got "pulley.head.exit_tenson". Did you mean '
          '"exit_tension"'),
     ),
     ([{**TAKE_UP, "field": "pulley.tail.exit_tension"}], {}, 'nothing called "tail"'),
@@ -29,7 +29,7 @@ BAD: list[tuple[list[dict[str, Any]], dict[str, Any], str]] = [
     ([{**TAKE_UP, "count": 1}], {}, "must be a whole number from 2"),
     ([{**TAKE_UP, "values": ["50 kN"]}], {}, "needs values, from/to/count or a distribution"),
     ([{"field": "belt.modulus"}], {}, "needs values, from/to/count or a distribution"),
-    ([{"field": "belt.modulus", "values": ["1 MN/m", "1000 kN/m"]}], {}, "holds a value twice"),
+    ([{"field": "belt.modulus", "values": ["1 MN/m", "1000 kN/m"]}], {}, "contains a value twice"),
     ([{"field": "belt.modulus", "values": ["nan kN/m"]}], {}, 'finite number, got "nan kN/m"'),
     ([{"field": "pulley.head.lagging", "values": ["diamond-ruber"]}], {}, "Did you mean"),
     (

@@ -191,7 +191,10 @@ def _motors(case: object) -> tuple[object, ...]:
         ),
         (
             text('share = ["60 %", "40 %"]\nspeeds = "equal"'),
-            "t.toml: train: share and speeds each decide how the load divides. Keep one of them.",
+            (
+                "t.toml: train: share and speeds each decide how the load divides. Remove one of "
+                "them."
+            ),
         ),
         (
             text('share = ["100 %"]'),
@@ -248,7 +251,7 @@ def _motors(case: object) -> tuple[object, ...]:
         (
             text(""),
             't.toml: train: nothing says how the load divides. Write share = ["50 %", "50 %"], '
-            'speeds = "equal", or a [train.motor.NAME] for each pulley.',
+            'speeds = "equal" or [train.motor.NAME].',
         ),
     ],
 )
@@ -296,5 +299,5 @@ def test_tensions_of_single_pulleys_are_refused() -> None:
 
 
 def test_a_plain_drive_reader_says_what_the_file_is() -> None:
-    with pytest.raises(InputError, match="Read it with wraparc"):
+    with pytest.raises(InputError, match=r"Use wraparc\.load_train"):
         drive_from_text(text('speeds = "equal"'))

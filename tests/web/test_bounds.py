@@ -162,7 +162,7 @@ def test_others_are_answered_while_a_request_is_being_read(
     ("text", "message"),
     [
         ('{"a": ' + "[1" + ",1" * 100_001 + "]}", "holds 100,001 values in lists"),
-        ("{" + '"a":1,' * bounds.MOST_KEYS + '"a":1}', "holds 20,001 keys; at most 20,000"),
+        ("{" + '"a":1,' * bounds.MOST_KEYS + '"a":1}', "contains 20,001 keys; at most 20,000"),
         ("[" * 61 + "]" * 61, "in more than 60 others"),
         ('{"' + "k" * 201 + '" : 1}', "a key of more than 200 characters"),
         ('{"' + 'k\\"' * 101 + "k" * 100 + '" : 1}', "a key of more than 200 characters"),
@@ -180,9 +180,9 @@ def test_what_json_may_hold_is_counted_before_it_is_parsed(text: str, message: s
     ("text", "message"),
     [
         ("a = [" + "1," * 100_001 + "]", "holds 100,001 values in lists"),
-        ("".join(f"k{i} = 1\n" for i in range(20_001)), "holds 20,001 keys; at most 20,000"),
+        ("".join(f"k{i} = 1\n" for i in range(20_001)), "contains 20,001 keys; at most 20,000"),
         ("a = " + "[" * 61 + "]" * 61, "in more than 60 others"),
-        ("#\n" * 150_001, "holds 150,001 lines; at most 150,000 are read"),
+        ("#\n" * 150_001, "contains 150,001 lines; at most 150,000 are read"),
         ("a = [\n" + "1,\n" * 100_000 + "]", ""),
         ("\n" + "k" * 201 + " = 1", "a key or number of more than 200 characters"),
         ('\n"' + "k " * 101 + '" = 1', "line 2: a key of more than 200 characters"),
@@ -305,11 +305,11 @@ def test_no_number_depends_on_how_many_load_cases_are_asked() -> None:
 
 def test_pulleys_share_how_many_load_cases_are_taken() -> None:
     documents.read(_cases(documents.MOST_ARCS))
-    with pytest.raises(Exception, match="201 load cases are more than the 200 "):
+    with pytest.raises(Exception, match="201 load cases with conditions, at most 200"):
         documents.read(_cases(documents.MOST_ARCS + 1))
     half = documents.MOST_ARCS // 2
     documents.read(_cases(half, pulleys=2))
-    with pytest.raises(Exception, match="101 load cases on 2 pulleys are more than the 100 "):
+    with pytest.raises(Exception, match="101 load cases on 2 pulleys with conditions, at most 100"):
         documents.read(_cases(half + 1, pulleys=2))
 
 

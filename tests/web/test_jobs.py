@@ -259,9 +259,9 @@ def test_tests_side_by_side_and_files_beyond_a_test(api: TestClient) -> None:
     far = ("far.xlsx", out.getvalue(), "application/x")
     sent = api.post(f"{place}/files", files=[("files", file) for file in (beside, wide, far)])
     first, second, third = sent.json()["files"]
-    assert "2 tests stand side by side" in first["problems"][0]["message"]
-    assert "5001 cells; at most 1000 are read" in second["problems"][0]["message"]
-    assert "more cells than a test" in third["problems"][0]["message"]
+    assert "contains 2 tests side by side" in first["problems"][0]["message"]
+    assert "has 5001 cells, more than 1000" in second["problems"][0]["message"]
+    assert "more than 4 million cells" in third["problems"][0]["message"]
     said = {"choices": {"block": 2, "stroke": "last"}}
     told = api.put(f"{place}/files/{first['id']}", json=said).json()
     assert told["preview"]["force"][-1] == 8.0 * 99

@@ -360,7 +360,7 @@ def test_train_shares_and_trims(visitor: Visitor) -> None:
         page.keyboard.press("PageUp")
     expect(divider).to_have_attribute("aria-valuetext", "first 70 %, second 30 %")
     expect(page.locator("#t-train-share-1")).to_have_value("30 %")
-    page.wait_for_selector("#train .verdict:has-text('first carries 70 %')")
+    page.wait_for_selector("#train .verdict:has-text('first takes 70 %')")
     box = divider.bounding_box()
     assert box is not None
     page.mouse.move(box["x"] + 10, box["y"] + 10)
@@ -376,7 +376,7 @@ def test_train_shares_and_trims(visitor: Visitor) -> None:
     page.get_by_role("button", name="Add a drive behind").click()
     expect(page.locator("#train fieldset legend").filter(has_text="Drive 3")).to_be_visible()
     page.get_by_role("button", name="Remove this drive").last.click()
-    page.wait_for_selector("#train .verdict:has-text('first carries 70 %')")
+    page.wait_for_selector("#train .verdict:has-text('first takes 70 %')")
     page.fill("#t-train-exit_tension", "0.1")
     page.locator("#t-train-exit_tension").blur()
     expect(drawn.locator("text", has_text="slips")).to_have_count(1)

@@ -182,7 +182,7 @@ def test_a_choice_is_made_and_alarm_levels_stand_on_the_page(visitor: Visitor) -
     )
     card.get_by_label("Wrap angles").fill("flat")
     card.get_by_role("button", name="Calculate").click()
-    expect(card).to_contain_text('candidates.wrap_angles[1] = "flat"')
+    expect(card).to_contain_text(re.compile(r'candidates\.wrap_angles\[1\].*got "flat"'))
     # expected: the headline and the levels that `wraparc field` prints
     page.get_by_role("button", name="On site").click()
     card = page.locator(".site")

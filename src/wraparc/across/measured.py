@@ -122,7 +122,7 @@ def profile_of(
     """Return the profile that a file of a name holds; everything else as `read_profile`."""
     tables = find_tables(data, file).tables
     if not tables:
-        raise input_error(file=file, message="holds no table of numbers", remedy=_EXPORT)
+        raise input_error(file=file, message="contains no table of numbers", remedy=_EXPORT)
     table = max(tables, key=lambda t: t.rows)
     named, _ = table.named(lambda name: any(_is(name, key) for key in _WORDS))
     where, what, reading = _columns(named, columns, file)

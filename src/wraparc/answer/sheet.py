@@ -67,7 +67,8 @@ class Row:
     note
         What to know about it.
     name
-        Name in the glossary, or empty.
+        Name in the glossary, of a check, or of the row in its table, which stays when the title
+        is worded anew; empty where the title is its name.
     level
         Whether it is good or bad news, or None.
     """

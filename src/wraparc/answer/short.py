@@ -56,7 +56,7 @@ class _Pick:
 _PICKED: dict[str, _Pick] = {
     # a drive
     "checks": _Pick(),
-    "conditions": _Pick(rows=("Verdict", "Minimum"), judged=True),
+    "conditions": _Pick(rows=("verdict", "minimum_tension"), judged=True),
     "cases": _Pick(most=9),
     "drives": _Pick(
         rows=("share", "effective", "motor_load", "speed_trim", "exit_c"), alone=True, noted=False
@@ -65,7 +65,7 @@ _PICKED: dict[str, _Pick] = {
     "result": _Pick(judged=True, key=True),
     "capacity": _Pick(key=True),
     "energy": _Pick(key=True),
-    "life": _Pick(rows=("Life",)),
+    "life": _Pick(rows=("life",)),
     # questions about it
     "trim": _Pick(),
     "changed": _Pick(),
@@ -77,11 +77,13 @@ _PICKED: dict[str, _Pick] = {
         most=12, noted=False,
     ),
     "levels": _Pick(),
-    "wear": _Pick(rows=("Wear in", "Life")),
+    "wear": _Pick(rows=("wear", "life")),
     "values": _Pick(),
     "ranking": _Pick(most=6, explained=True),
     "rejected": _Pick(most=4),
-    "drums": _Pick(rows=("Peak Te", "Peak torque", "Peak creep", "Time", "Friction w")),
+    "drums": _Pick(
+        rows=("peak_pull", "peak_torque", "peak_creep", "time_over_limit", "friction_work")
+    ),
     "vibrations": _Pick(),
     "controls": _Pick(),
     "estimates": _Pick(),

@@ -37,6 +37,8 @@ from wraparc.batch.solve import CHUNK
 from wraparc.batch.traction import Laws
 from wraparc.drive.pull import idle_rows
 
+#: Fall of friction over the stiffness of the lagging that refuses no arc [-].
+_UNREFUSED = 1e-3
 #: Last step over the place, over the accuracy of the arcs.
 _NEAR = 10.0  # the last step of a secant leaves its square
 
@@ -45,7 +47,7 @@ _NEAR = 10.0  # the last step of a secant leaves its square
 class _Sought(Unscaled):
     """Arcs at tensions that a search tries, far beyond those of the drive.
 
-    Where friction does not peak, its fall at some other pressure refuses none of them.
+    As of one arc, the fall of friction at such a pressure refuses none of them.
     """
 
     peaks: Flags
@@ -57,7 +59,11 @@ class _Sought(Unscaled):
     def inputs(self) -> Array:
         """Numbers of every arc that a kernel reads."""
         given = super().inputs()
-        given[~self.peaks, row.INPUTS.index("steepest_fall")] = 0.0
+        tight = np.maximum(self.entry_tension, self.exit_tension)
+        shear = self.shear_compliance * tight / (0.5 * self.belt_width * self.diameter)
+        at = row.INPUTS.index("steepest_fall")
+        gentle = -_UNREFUSED / np.maximum(shear, _UNREFUSED)  # of any fall the sign is asked alone
+        given[:, at] = np.where(self.peaks, np.maximum(given[:, at], gentle), 0.0)
         return given
 
 

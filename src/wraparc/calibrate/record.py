@@ -93,7 +93,7 @@ def read_record(path: str | os.PathLike[str], choices: RecordChoices | None = No
 def _table(file: str, chosen: RecordChoices) -> RawTable:
     tables = find_tables(read_bytes(file, _EXPORT), file, delimiter=chosen.delimiter).tables
     if not tables:
-        raise input_error(file=file, message="holds no table of numbers", remedy=_EXPORT)
+        raise input_error(file=file, message="contains no table of numbers", remedy=_EXPORT)
     return max(tables, key=lambda table: table.rows)
 
 

@@ -183,7 +183,7 @@ def price_problems(costing: Costing, laggings: list[str], belts: list[str]) -> l
             key="cost.currency",
             value=shown(costing.currency),
             message=f"{names[0]}{' and others' if names[1:] else ''} priced in {currency}",
-            remedy=f'Write currency = "{currency}", or give their costs in {costing.currency}.',
+            remedy=f'Write currency = "{currency}", or give their costs.',
         )
         for currency, names in others.items()
     ]

@@ -147,7 +147,7 @@ _Named = TypeVar("_Named", Belt, Lagging)
 def _unlike(found: Sequence[_Named], place: Place, report: Report) -> tuple[_Named, ...]:
     names = [thing.name for thing in found]
     for name in sorted({name for name in names if names.count(name) > 1}):
-        report.add(place, f"{shown(name)} stands there more than once", "Keep one of them.")
+        report.add(place, f"{shown(name)} stands there more than once", "Remove one of them.")
     return tuple(found)
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from wraparc.drive import Lagging
-from wraparc.errors import InputError, Problem, input_error, shown
+from wraparc.errors import InputError, Problem, input_error, name_remedy, shown
 from wraparc.files import load_lagging
 from wraparc.friction import COVER_SHEAR
 from wraparc.provenance import Kind
@@ -178,7 +178,7 @@ def _dialects(names: Sequence[str]) -> list[Dialect]:
     if unknown:
         raise input_error(
             message="no such dialect",
-            remedy=f"The dialects are {', '.join(DIALECTS)}.",
+            remedy=name_remedy(unknown[0], DIALECTS),
             key="--dialect",
             value=shown(unknown[0]),
         )

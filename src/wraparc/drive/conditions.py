@@ -199,7 +199,7 @@ def design_ratio(
         raise input_error(
             key=f"condition.{condition}",
             value=shown(standard),
-            message=f"no design values {tested} and {condition} of surface {shown(surface)}",
+            message=f"no design values {tested} and {shown(condition)} of surface {shown(surface)}",
             remedy=f"Give a factor, or one of {format_names(known)}.",
         )
     low, high = here.friction[0] / dry.friction[1], here.friction[1] / dry.friction[0]

@@ -79,11 +79,11 @@ def _conveyor(
     speed = belt.get("speed") if isinstance(belt, Record) else None
     if speed is not None:
         more["speed"] = speed
-    if given.sound():
-        conveyor: Conveyor | None = CONVEYOR.built(given, report, **more)
-        return conveyor
     # what cannot be built has still to be told with everything else
     unsure = not isinstance(belt, Record) or not belt.sound("speed")
+    if given.sound() and not unsure:
+        conveyor: Conveyor | None = CONVEYOR.built(given, report, **more)
+        return conveyor
     told = choices({*given, *given.faulty, *more, *(("speed",) if unsure else ())})
     if told:
         report.take(InputError(told), given.place, given.raw)

@@ -62,7 +62,8 @@ def build_belt(record: Record, report: Report) -> Belt | None:
         sources = published | {key: own for key in Belt.LIMITS if key in record} | sources
     elif "modulus" not in record and record.sound("modulus"):
         remedy = 'Write modulus = "12960 kN/m", or choose a belt by preset.'
-        report.add((*record.place, "modulus"), "missing", remedy)
+        if record.sound("preset"):
+            report.add((*record.place, "modulus"), "missing", remedy)
         return None
     more = {key: v for key, v in more.items() if key == "provenance" or key not in record}
     built: Belt | None = BELT.built(record, report, sources=sources, **more)

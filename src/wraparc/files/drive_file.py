@@ -6,7 +6,7 @@ from typing import cast
 from wraparc.drive import DESIGN, Belt, Drive, LoadCase, Pulley, ReadFrom, TakeUp, repeated
 from wraparc.drive.drive import least_tensions
 from wraparc.drive.pitch import pitch_offset
-from wraparc.errors import InputError, nearest, shown
+from wraparc.errors import InputError, name_remedy
 from wraparc.files.across_keys import check_width
 from wraparc.files.conditions import build_conditions, condition_name, in_each_condition
 from wraparc.files.conveyor_build import build_conveyor
@@ -92,7 +92,7 @@ def drive_from_document(
     if "train" in document:
         check_format(document, file)
         report = Report(file)
-        message = "is of a train, no single drive"
+        message = "makes it a train, not one drive"
         report.add(("train",), message, "Use wraparc.load_train.")
         report.raise_all()
     record, report = read_tables(DRIVE, document, file)
@@ -140,7 +140,7 @@ def _load_cases(
     cases = [item for item in record.get("load_case") or () if isinstance(item, Record)]
     for problem in repeated("pulley", names):
         report.take(InputError(problem), ())
-    if len(set(names)) < len(record.get("pulley") or ()) or not isinstance(belt, Record):
+    if not names or len(set(names)) < len(record["pulley"]) or not isinstance(belt, Record):
         return ()
     sure = belt.sound("speed") and all(item.sound(*KEYS) for item in pulleys)
     speed = belt.get("speed")
@@ -180,9 +180,8 @@ def _of_case(
     names = [item.name for item in own]
     for name in tables if own else ():  # without any pulley that is read, it is told elsewhere
         if name not in names:
-            there = ", ".join(shown(name) for name in names)
-            remedy = nearest(name, names) or f"The pulleys are {there}."
-            report.add((*case.place, "pulley", name), "no such pulley", remedy)
+            place = (*case.place, "pulley", name)
+            report.add(place, "no such pulley", name_remedy(name, names))
     given = []
     for item in own:
         table = tables.get(item.name)

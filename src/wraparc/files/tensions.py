@@ -92,7 +92,8 @@ def resolve(
     sure
         False if something could not be read, so that nothing may be called missing.
     """
-    wrong = [_wrong(item, speed, report) for item in given]
+    # what could not be read would have stood in the place of what is inherited
+    wrong = [_wrong(item, speed, report) for item in given if sure or not item.inherited]
     if any(wrong):
         return {}
     for item in given if sure else ():

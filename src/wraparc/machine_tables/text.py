@@ -90,7 +90,7 @@ def _refuse_many(lines: Sequence[str], sign: str, file: str) -> None:
     cells = sum(line.count(sign) + 1 if sign != " " else len(line.split()) for line in lines)
     if cells > MOST_LOOSE_CELLS:
         raise beyond(
-            f"holds {cells} cells in no plain table, more than {MOST_LOOSE_CELLS}",
+            f"contains {cells} cells in no plain table, more than {MOST_LOOSE_CELLS}",
             file,
         )
 

@@ -220,7 +220,7 @@ class _Builder:
         if ratio is None and isinstance(motor, Motor):
             ratio = motor.gear_ratio
         if ratio is None:
-            remedy = "Write gear_ratio = 25, motor over drum speed."
+            remedy = "Write gear_ratio = 25, motor over pulley speed."
             self.report.add(
                 (*record.place, "gear_ratio"), "missing: motor_inertia needs it", remedy
             )

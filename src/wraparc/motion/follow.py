@@ -147,7 +147,7 @@ def check_event(station: Station, event: Event) -> None:
             )
     measured = [h.pulley for h in event.of(Measured) if isinstance(h, Measured)]
     if len(set(measured)) < len(measured):
-        message = "one drum has two records"
+        message = "one pulley has two records"
         problems.append(Problem(key="event.measured", message=message))
     if problems:
         raise InputError(problems)

@@ -73,7 +73,7 @@ def check_json(text: str) -> None:
         With what is too many, too deep or too long.
     """
     if text.count('"') > 2 * (2 * MOST_KEYS + MOST_VALUES):
-        raise _refused("holds too many texts", _JSON_REMEDY)
+        raise _refused("contains too many texts", _JSON_REMEDY)
     # without what is escaped every quote begins or ends a text: bare, text, bare, text ...
     parts = text.replace("\\\\", "").replace('\\"', "").split('"')
     bare, texts = parts[::2], parts[1::2]
@@ -104,7 +104,7 @@ def _check_count(
     count: int, most: int, what: str, file: str, remedy: str = "Check that it is the right file."
 ) -> None:
     if count > most:
-        raise _refused(f"holds {count:,} {what}; at most {most:,} are read", remedy, file)
+        raise _refused(f"contains {count:,} {what}; at most {most:,} are read", remedy, file)
 
 
 def _deepest(bare: str) -> int:

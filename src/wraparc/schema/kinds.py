@@ -9,6 +9,7 @@ run of the command line may take.
 from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from decimal import Decimal
 from typing import Any
 
 from wraparc.errors import InputError, format_names, nearest
@@ -16,10 +17,13 @@ from wraparc.schema.limits import Limit
 from wraparc.schema.problems import NOTHING, Place, Report, place_text
 from wraparc.schema.quantity_text import quantity_text
 from wraparc.units import DIMENSION_TEXT, Dimension, display_unit, parse_quantity
+from wraparc.units.numbers import split_number
 
 # The kinds are constants of the key modules. They are not frozen because making a frozen
 # dataclass takes five times as long, and every run of the command line makes them all.
 _NO_CONTROLS = str.maketrans("", "", "\n\t")  # those that a text of lines may hold
+#: What an example is scaled with, until it is allowed.
+_TENS = ("1", "0.1", "0.01", "0.001", "10")
 
 
 class Kind(ABC):
@@ -53,14 +57,24 @@ class Quantity(Kind):
         """Return the SI value."""
         try:
             value = parse_quantity(raw, self.dimension)
-        except InputError as error:
-            report.take(error, place, raw)
+        except InputError:  # once more, with an example that may stand here
+            report.tried(lambda: parse_quantity(raw, self.dimension, self.example()), place, raw)
             return NOTHING
         refusal = self.limit.refusal(value) if self.limit else ""
         if refusal:
             report.add(place, refusal, value=raw)
             return NOTHING
         return value
+
+    def example(self) -> str:
+        """Return the example of the dimension, times a power of ten that the limit allows."""
+        text = DIMENSION_TEXT[self.dimension].example
+        number, unit = split_number(text)
+        for factor in _TENS:
+            scaled = f"{(number * Decimal(factor)).normalize():f} {unit}".strip()
+            if self.limit and not self.limit.refusal(parse_quantity(scaled, self.dimension)):
+                return scaled
+        return text
 
     def written(self, value: Any) -> Any:
         """Return the number with a usual unit."""
@@ -126,7 +140,7 @@ class Text(Kind):
         elif len(raw) > self.longest:
             report.add(place, f"longer than {self.longest} characters", "Shorten it.", raw)
         elif not (raw.translate(_NO_CONTROLS) if self.lines else raw).isprintable():
-            report.add(place, "holds characters that cannot be printed", "Remove them.", raw)
+            report.add(place, "contains characters that cannot be printed", "Remove them.", raw)
         else:
             return raw
         return NOTHING

@@ -50,6 +50,8 @@ def read_text(path: str | os.PathLike[str]) -> str:
             raise
         reason = getattr(error, "strerror", None) or str(error)
         raise _file_problem(file, f"cannot be read: {reason}", "Check the path.") from None
+    if not data.strip():
+        raise _file_problem(file, "is empty", "Check that it is the right file.")
     return decoded(data, file)
 
 
@@ -95,7 +97,7 @@ def parse(text: str, file: str = "") -> Document:
         line = int(position[1]) if position else text.count("\n") + 1
         raise InputError(syntax_problem(text, line, file)) from None
     except ValueError:  # of int(), beyond the digits it converts
-        message = "holds a whole number of thousands of digits"
+        message = "contains a whole number of thousands of digits"
         raise _file_problem(file, message, "Check that it is the right file.") from None
 
 

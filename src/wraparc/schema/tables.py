@@ -6,11 +6,10 @@ from dataclasses import MISSING, Field, dataclass, field, fields, replace
 from functools import cached_property
 from typing import Any, NamedTuple
 
-from wraparc.errors import format_list, nearest, shown
+from wraparc.errors import format_list, near, nearest, shown
 from wraparc.schema.kinds import Choice, Flag, Kind, Quantity, WordOr
 from wraparc.schema.limits import Limit
 from wraparc.schema.problems import NOTHING, Place, Report
-from wraparc.units import DIMENSION_TEXT
 
 
 class _OfClass(Kind):
@@ -167,13 +166,15 @@ class Table(Kind):
             return NOTHING
         given = self._renamed(raw, place, report)
         known = self._known
+        record = Record({}, place, given)
         unknown = [key for key in given if key not in known]
         if self.misplaced is not None:
             unknown = self._without_misplaced(unknown, place, report)
         for key in unknown:
             remedy = "" if report.full else unknown_key_remedy(key, known)
             report.add((*place, key), "unknown key", remedy)
-        record = Record({}, place, given)
+            record.faulty.update(near(key, [k for k in known if k not in given], 1))
+        misspelt = set(record.faulty)
         for key, entry in known.items():
             if key in given:
                 value = entry.kind.read(given[key], (*place, key), report)
@@ -183,7 +184,8 @@ class Table(Kind):
                     record[key] = value
             elif entry.required and not (entry.unless and entry.unless in given):
                 record.faulty.add(key)
-                report.add((*place, key), "missing", missing_remedy(entry))
+                if misspelt.isdisjoint((key, entry.unless)):  # else its name is the fault
+                    report.add((*place, key), "missing", missing_remedy(entry))
         return record
 
     def built(self, value: Any, report: Report, **more: Any) -> Any:
@@ -263,7 +265,7 @@ class Table(Kind):
             value = given.pop(entry.alias)
             if entry.key in given:
                 message = f"means the same as {entry.key}, which is also there"
-                report.add((*place, entry.alias), message, "Keep one of them.", value)
+                report.add((*place, entry.alias), message, "Remove one of them.", value)
             else:
                 given[entry.key] = value
         return given
@@ -387,7 +389,7 @@ def missing_remedy(entry: Entry) -> str:
     if entry.example:
         return f"Write {entry.example}."
     if isinstance(kind, Quantity):
-        return f"Write for example {entry.key} = {shown(DIMENSION_TEXT[kind.dimension].example)}."
+        return f"Write for example {entry.key} = {shown(kind.example())}."
     if isinstance(kind, Choice):
         return f"Write {entry.key} = {shown(kind.options[0])} or another word."
     return f"Add {entry.key}."

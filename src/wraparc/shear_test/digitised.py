@@ -90,7 +90,7 @@ def read_points(data: bytes, file: str) -> list[Points]:
     else:
         found = _in_table(data, file)
     if len(found) > _MOST_CURVES:
-        raise refused(file, f"holds {len(found)} curves", f"At most {_MOST_CURVES} are read.")
+        raise refused(file, f"contains {len(found)} curves", f"At most {_MOST_CURVES} are read.")
     curves = [
         Points(name, *np.array(sorted(points), dtype=float).T)
         for name, points in found
@@ -99,7 +99,7 @@ def read_points(data: bytes, file: str) -> list[Points]:
     if not curves:
         raise refused(
             file,
-            "holds no digitised curve",
+            "contains no digitised curve",
             "Export the points as CSV or JSON.",
         )
     return curves

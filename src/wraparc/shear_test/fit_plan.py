@@ -106,7 +106,7 @@ def _refuse_duplicate(
         if first.place != test.place and _are_same_readings(record, other):
             raise refused(
                 record.file,
-                f"holds the same data as {first.place}",
+                f"contains the same data as {first.place}",
                 "Name the right file, or remove this test.",
             )
     seen.append((test, record))

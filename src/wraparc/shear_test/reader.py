@@ -155,7 +155,7 @@ def _wanted_blocks(
         count = f"{len(blocks)} tests side by side" if len(blocks) > 1 else "one test only"
         raise refused(
             file,
-            f"holds {count}",
+            f"contains {count}",
             f"Write a number from 1 to {len(blocks)}." if len(blocks) > 1 else "Leave it out.",
             key="block",
             value=str(choices.block),
@@ -166,7 +166,7 @@ def _wanted_blocks(
         return list(range(len(blocks)))
     raise refused(
         file,
-        f"holds {len(blocks)} tests side by side",
+        f"contains {len(blocks)} tests side by side",
         "Write block = 1 for the first (wraparc read FILE shows all).",
     )
 
@@ -243,7 +243,7 @@ def _pick_table(
 def _only_settings(tables: Sequence[RawTable], file: str) -> InputError:
     return refused(
         file,
-        f"holds settings or results in {tables[0].place}, no readings",
+        f"contains settings or results in {tables[0].place}, no readings",
         f"{_EXPORT}",
     )
 

@@ -138,7 +138,7 @@ class Lognormal(Distribution):
                     key="geometric_standard_deviation",
                     value=f"{self.geometric_standard_deviation:g}",
                     message="must be a factor of more than 1",
-                    remedy="1.1 for about 10 % to either side.",
+                    remedy="Write 1.1 for about 10 % to either side.",
                 )
             )
         return found

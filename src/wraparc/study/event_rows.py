@@ -148,7 +148,7 @@ def _read(part: Path, key: str) -> list[EventRow]:
     except (OSError, ValueError, TypeError, KeyError):
         mine = False
     if not mine:
-        message = "holds rows of another study"
+        message = "contains rows of another study"
         remedy = "Remove it, or write another file."
         raise input_error(key="--resume", value=shown(str(part)), message=message, remedy=remedy)
     return rows

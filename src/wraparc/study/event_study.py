@@ -153,7 +153,7 @@ def event_study_from_document(
         message = f"{len(made.designs)} designs, more than {MOST_DESIGNS}: each is followed in time"
         report.add(("axis",), message, "Take fewer values.")
     if len({*made.fields}) < len(made.fields):
-        report.add(("axis",), "a field is varied twice", "Keep one of them.")
+        report.add(("axis",), "a field is varied twice", "Remove one of them.")
     report.raise_all()
     load_motion(made.drive, overrides=made.settings).event(made.event)
     return made

@@ -122,6 +122,4 @@ def _below(kind: Kind, step: str | int, place: Place) -> Kind:
     known: Sequence[str] = (*keys, *SCALING) if len(place) == 4 and place[2] == "lagging" else keys
     if len(place) == 3 and place[0] == "pulley":
         known = [*keys, *DRUM_KEYS]
-    raise input_error(
-        message="a drive file has no such field", remedy=unknown_key_remedy(str(step), known)
-    )
+    raise input_error(message="no such drive field", remedy=unknown_key_remedy(str(step), known))

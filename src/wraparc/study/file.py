@@ -112,7 +112,8 @@ def study_from_document(document: Document, *, file: str = "", folder: str = "")
     _each_once(axes, report)
     conditions = [read_condition(r, report) for r in record.get("condition", ())]
     known = tuple(c for c in conditions if c is not None)
-    _shares(known, report)
+    if len(known) == len(conditions):
+        _shares(known, report)
     if drive.criteria.covered and any(is_wet(c.name) for c in known):
         message = "contradicts covered = true"
         report.add(("condition",), message, "Leave out covered or the condition.")
@@ -213,15 +214,15 @@ def _each_once(axes: Sequence[tuple[Axis, Place]], report: Report) -> None:
     places = [place for _, place in axes]
     for axis, place in axes:
         if places.count(place) > 1 and not any(isinstance(a, DrawnFit) for a, _ in axes):
-            report.add(("axis",), "two axes vary the same field", "Keep one.", axis.field)
+            report.add(("axis",), "two axes vary the same field", "Remove one.", axis.field)
             return
     fits = [place for axis, place in axes if isinstance(axis, DrawnFit)]
     if len(fits) > 1:
-        report.add(("axis",), "only one lagging can be drawn from its fit", "Keep one.")
+        report.add(("axis",), "only one lagging can be drawn from its fit", "Remove one.")
     for axis, place in axes:
         if place in fits and not isinstance(axis, DrawnFit):
             message = "the lagging is drawn from its fit already"
-            report.add(("axis",), message, "Keep one of the two.", axis.field)
+            report.add(("axis",), message, "Remove one of them.", axis.field)
 
 
 def _left_out(drive: Drive, loads: Sequence[str]) -> Iterator[str]:

@@ -116,7 +116,7 @@ def _unlike(
     name: str, values: list[Any], kind: Kind, place: Place, report: Report
 ) -> Levels | None:
     if len(set(values)) < len(values):
-        report.add(place, "holds a value twice", "Keep one of them.")
+        report.add(place, "contains a value twice", "Remove one of them.")
         return None
     dimension = kind.dimension if isinstance(kind, Quantity) else None
     return Levels(field=name, values=tuple(values), dimension=dimension)
@@ -134,7 +134,7 @@ def _drawn(record: Record, name: str, kind: Kind, report: Report) -> DrawnField 
     for key in ("values", "count", "spacing"):
         if key in record:
             message = "does not go with a distribution"
-            report.add((*record.place, key), message, "Keep one of the two.")
+            report.add((*record.place, key), message, "Remove one of them.")
             return None
     if not isinstance(kind, Quantity):
         place = (*record.place, "distribution")

@@ -203,7 +203,7 @@ def _size_of(study: Study, file: Path) -> int:
         raise input_error(
             key="--resume",
             value=shown(str(file.parent)),
-            message="holds parts of another study",
+            message="contains parts of another study",
             remedy="Remove it, or write another file.",
         )
     return size

@@ -184,7 +184,7 @@ class Reader:
         modes = [mode for mode in _MODES if mode in record]
         if len(modes) > 1:
             message = f"{' and '.join(modes)} each decide how the load divides"
-            self._report.add(record.place, message, "Keep one of them.")
+            self._report.add(record.place, message, "Remove one of them.")
             return None
         if not modes:
             if "diameters" in train:

@@ -56,7 +56,7 @@ class _UnitTextError(Exception):
         self.remedy, self.name, self.meant = remedy, name, meant
 
 
-def parse_quantity(value: object, dimension: Dimension) -> float:
+def parse_quantity(value: object, dimension: Dimension, example: str = "") -> float:
     """Return the SI value of a quantity written with its unit.
 
     Parameters
@@ -65,6 +65,8 @@ def parse_quantity(value: object, dimension: Dimension) -> float:
         Text such as ``"150 kN"``; for the dimension ``"number"`` also an int or float.
     dimension
         What it must measure.
+    example
+        What a refusal shows as an example, that of the dimension if left out.
 
     Returns
     -------
@@ -83,11 +85,11 @@ def parse_quantity(value: object, dimension: Dimension) -> float:
     if isinstance(value, int | float) and not isinstance(value, bool):
         if dimension == "number":
             return finite(value, value)
-        raise _no_unit(value, dimension)
+        raise _no_unit(value, dimension, example)
     if not isinstance(value, str):
         problem = f"neither text nor a number, where {kind.name} is needed"
-        raise _refused(value, problem, f"Write for example {shown(kind.example)}.")
-    return _read(value, dimension)
+        raise _refused(value, problem, _for_example(dimension, example))
+    return _read(value, dimension, example)
 
 
 def positive_quantity(text: str, dimension: Dimension, key: str) -> float:
@@ -106,11 +108,11 @@ def positive_quantity(text: str, dimension: Dimension, key: str) -> float:
 
 
 @lru_cache(maxsize=2048)  # of a drive that is changed step by step most stays as it was
-def _read(text: str, dimension: Dimension) -> float:
+def _read(text: str, dimension: Dimension, example: str) -> float:
     number, unit_text = split_number(text)
     if not unit_text and dimension != "number":
-        raise _no_unit(text, dimension)
-    unit = _checked_unit(unit_text, dimension, text)
+        raise _no_unit(text, dimension, example)
+    unit = _checked_unit(unit_text, dimension, text, example)
     return finite((number - unit.zero) * unit.factor, text)
 
 
@@ -194,17 +196,18 @@ def unit_names() -> tuple[str, ...]:
     return tuple(_units())
 
 
-def _checked_unit(text: str, dimension: Dimension, given: object) -> Unit:
+def _checked_unit(text: str, dimension: Dimension, given: object, example: str = "") -> Unit:
     kind = DIMENSION_TEXT[dimension]
     try:
         unit = _resolve(text)
     except _UnitTextError as error:
-        raise _refused(given, str(error), error.remedy or _meant(text, error, dimension)) from None
+        remedy = error.remedy or _meant(text, error, dimension, example)
+        raise _refused(given, str(error), remedy) from None
     if unit.powers != _powers(dimension):
         measured = dimension_of(text)
         found = DIMENSION_TEXT[measured].name if measured else "of no dimension used here"
         message = f"{found}, where {kind.name} is needed"
-        raise _refused(given, message, f"Write for example {shown(kind.example)}.")
+        raise _refused(given, message, _for_example(dimension, example))
     return unit
 
 
@@ -265,19 +268,25 @@ def _named(name: str, known: dict[str, Unit]) -> Unit:
     raise _UnitTextError(f"unknown unit {shown(name)}", "", name, meant)
 
 
-def _meant(text: str, error: _UnitTextError, dimension: Dimension) -> str:
+def _meant(text: str, error: _UnitTextError, dimension: Dimension, example: str) -> str:
     """Return the units that may be meant, else an example; neither of another dimension."""
     powers, compound = _powers(dimension), text.strip() != error.name
     fits = [name for name in error.meant if compound or _units()[name].powers == powers]
     if fits:
         return f"Did you mean {' or '.join(fits[:2])}?"
-    return f"Write for example {shown(DIMENSION_TEXT[dimension].example)}."
+    return _for_example(dimension, example)
 
 
-def _no_unit(value: object, dimension: Dimension) -> InputError:
+def _for_example(dimension: Dimension, example: str) -> str:
+    return f"Write for example {shown(example or DIMENSION_TEXT[dimension].example)}."
+
+
+def _no_unit(value: object, dimension: Dimension, example: str) -> InputError:
     kind = DIMENSION_TEXT[dimension]
     message = f"no unit, where {kind.name} is needed"
-    return _refused(value, message, f"Write the unit too, for example {shown(kind.example)}.")
+    return _refused(
+        value, message, f"Write the unit too, for example {shown(example or kind.example)}."
+    )
 
 
 def _refused(given: object, message: str, remedy: str) -> InputError:

@@ -32,7 +32,7 @@ Document = Annotated[
 
 def _printable(text: str) -> str:
     if not all(c.isprintable() or c in "\n\t" for c in text):
-        raise ValueError("holds characters that cannot be printed")
+        raise ValueError("contains characters that cannot be printed")
     return text
 
 

@@ -97,7 +97,7 @@ def write_toml(asked: DocumentRequest) -> WriteAnswer:
     except (TypeError, ValueError, RecursionError) as error:
         if isinstance(error, InputError):
             raise
-        message = "holds what a drive file cannot hold"
+        message = "contains what a drive file cannot"
         raise input_error(message=message, remedy="Use text, numbers, tables.") from None
     return WriteAnswer(toml=text, name=f"{file_stem(document.get('title'))}.toml", **state)
 

@@ -117,7 +117,7 @@ def _json(content: bytes) -> Any:
         if "\\u" in text:  # what is written so may be half of a character
             json.dumps(found, ensure_ascii=False).encode("utf-8")
     except UnicodeEncodeError:
-        raise refused(422, "holds half of a character (a lone surrogate)") from None
+        raise refused(422, "contains half of a character (a lone surrogate)") from None
     except UnicodeDecodeError:
         raise refused(422, "the body is not UTF-8") from None
     except (RecursionError, ValueError) as error:

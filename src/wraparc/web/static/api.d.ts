@@ -1090,6 +1090,7 @@ export interface Verdict {
   used: number | null;
   text: Text;
   action: Action | null;
+  changes: Text[];
   also: Also[];
   wet: Record<string, any> | null;
   reserve: Text[];
@@ -1253,4 +1254,5 @@ export type CellForm =
   | "signed"
   | "percent fixed"
   | "percent signed"
-  | "grouped";
+  | "grouped"
+  | "typed";

@@ -26,6 +26,7 @@ const MOST_DIGITS = 9;
 const NONE = "-";
 const _UNBOUNDED = "infinite";
 const _SLOW = 0.1;
+const _TYPED = 6;
 
 export function digits___equal(a, b) {
   return Math.abs(a - b) <= _EXACT * max(Math.abs(a), Math.abs(b));
@@ -292,10 +293,34 @@ export function cell___missed(value, dimension, digits, form, other, system) {
   return display__joined(is_limit ? plain : told);
 }
 
+/** Return a given number with the digits that it was typed with, six at most. */
+export function digits__as_typed(number, text) {
+  if (number === 0.0 || !Number.isFinite(number)) {
+    return text;
+  }
+  let typed = scientific(number, _TYPED - 1);
+  let power = exponentOf(typed);
+  if (!digits___equal(Number(typed), number) || !(-4 <= power && power < 12)) {
+    return text;
+  }
+  return trimmed(decimal(Number(typed), max(0, _TYPED - 1 - power)));
+}
+
+/** Return a given number as typed, and its unit; rounded where its unit is another. */
+export function cell___typed(number, dimension, system, digits) {
+  const found1 = cell___told(number, dimension, system, digits, false);
+  let text = found1[0];
+  let unit = found1[1];
+  return [digits__as_typed(cell___in_unit(number, dimension, system, unit), text), unit];
+}
+
 /** Return two numbers, with one unit where both have the same. */
 export function cell___range(value, dimension, digits, form, other, system) {
   let last;
   let first = cell___told(other, dimension, system, digits, false);
+  if (form === "to up" || form === "to down") {
+    first = cell___typed(other, dimension, system, digits);
+  }
   if (form === "to" || form === "-") {
     last = cell___told(value, dimension, system, digits, false);
     if (display__joined(first) === display__joined(last)) {
@@ -336,6 +361,9 @@ export function cell__cell_text(value, dimension, digits, form, other, system) {
   }
   if (form === "to" || form === "-" || form === "to up" || form === "to down" || form === "of") {
     return cell___range(value, dimension, digits, form, other, system);
+  }
+  if (form === "typed") {
+    return display__joined(cell___typed(value, dimension, system, digits));
   }
   if (form === "up" || form === "down") {
     return display__joined(cell___limit(value, dimension, system, digits, form === "up"));

@@ -12,7 +12,7 @@ let belt, belt_record, cases, conditions, conveyor, criteria, laggings, message,
 if (($in("train", document))) {
 source__check_format(document, file);
 (report = new Report(file));
-(message = "is of a train, no single drive");
+(message = "makes it a train, not one drive");
 report.add(["train"], message, "Use wraparc.load_train.");
 report.raise_all();
 }
@@ -92,7 +92,9 @@ if ((mass != null)) {
 } else {
 if (((!$in("modulus", record)) && $truth(record.sound("modulus")))) {
 (remedy = "Write modulus = \"12960 kN/m\", or choose a belt by preset.");
+if ($truth(record.sound("preset"))) {
 report.add([...$iter(record.place), "modulus"], "missing", remedy);
+}
 return null;
 }
 }
@@ -398,7 +400,7 @@ return new UnitRow("K", 1.0, [[0.0, unit, $sub(one, zero), zero]]);
 return new UnitRow(unit, parse__unit_factor(unit, dimension), larger);
 }
 const $kept_display__unit_row = new Map();
-function parse__parse_quantity(value, dimension) {
+function parse__parse_quantity(value, dimension, example = "") {
 let kind, problem;
 
 (kind = $at($c22c8, dimension));
@@ -406,13 +408,13 @@ if (($truth($b.isinstance(value, "int", "float")) && !$truth($b.isinstance(value
 if (($eq(dimension, "number"))) {
 return numbers__finite(value, value);
 }
-throw parse___no_unit(value, dimension);
+throw parse___no_unit(value, dimension, example);
 }
 if (!$truth($b.isinstance(value, "str"))) {
 (problem = ("" + "neither text nor a number, where " + $str(kind.name) + " is needed"));
-throw parse___refused(value, problem, ("" + "Write for example " + $str($shown($bound(kind, "example"))) + "."));
+throw parse___refused(value, problem, parse___for_example(dimension, example));
 }
-return $once(parse___read, $kept_parse___read)(value, dimension);
+return $once(parse___read, $kept_parse___read)(value, dimension, example);
 }
 function numbers__finite(number, given) {
 let value;
@@ -435,22 +437,25 @@ return value;
 function numbers___refused(given, message, remedy) {
 return errors__input_error(message, remedy, undefined, undefined, $shown(given));
 }
-function parse___no_unit(value, dimension) {
+function parse___no_unit(value, dimension, example) {
 let kind, message;
 (kind = $at($c22c8, dimension));
 (message = ("" + "no unit, where " + $str(kind.name) + " is needed"));
-return parse___refused(value, message, ("" + "Write the unit too, for example " + $str($shown($bound(kind, "example"))) + "."));
+return parse___refused(value, message, ("" + "Write the unit too, for example " + $str($shown($or(example, () => kind.example))) + "."));
 }
 function parse___refused(given, message, remedy) {
 return errors__input_error(message, remedy, undefined, undefined, $shown(given));
 }
-function parse___read(text, dimension) {
+function parse___for_example(dimension, example) {
+return ("" + "Write for example " + $str($shown($or(example, () => $at($c22c8, dimension).example))) + ".");
+}
+function parse___read(text, dimension, example) {
 let number, unit, unit_text;
 ([number, unit_text] = numbers__split_number(text));
 if ((!$truth(unit_text) && (!$eq(dimension, "number")))) {
-throw parse___no_unit(text, dimension);
+throw parse___no_unit(text, dimension, example);
 }
-(unit = parse___checked_unit(unit_text, dimension, text));
+(unit = parse___checked_unit(unit_text, dimension, text, example));
 return numbers__finite($mul($sub(number, unit.zero), unit.factor), text);
 }
 const $kept_parse___read = new Map();
@@ -532,26 +537,27 @@ throw numbers___refused(given, "its exponent is out of range", "Check the expone
 }
 return $b.Decimal(digits);
 }
-function parse___checked_unit(text, dimension, given) {
-let error, found, kind, measured, message, unit;
+function parse___checked_unit(text, dimension, given, example = "") {
+let error, found, kind, measured, message, remedy, unit;
 (kind = $at($c22c8, dimension));
 try {
 (unit = $once(parse___resolve, $kept_parse___resolve)(text));
 } catch ($error) {
 if ($error instanceof _UnitTextError) {
 error = $error;
-throw parse___refused(given, $b.str(error), $or(error.remedy, () => parse___meant(text, error, dimension)));
+(remedy = $or(error.remedy, () => parse___meant(text, error, dimension, example)));
+throw parse___refused(given, $b.str(error), remedy);
 } else throw $error;
 }
 if ((!$eq(unit.powers, $once(parse___powers, $kept_parse___powers)(dimension)))) {
 (measured = parse__dimension_of(text));
 (found = ($truth(measured) ? $at($c22c8, measured).name : "of no dimension used here"));
 (message = ("" + $str(found) + ", where " + $str(kind.name) + " is needed"));
-throw parse___refused(given, message, ("" + "Write for example " + $str($shown($bound(kind, "example"))) + "."));
+throw parse___refused(given, message, parse___for_example(dimension, example));
 }
 return unit;
 }
-function parse___meant(text, error, dimension) {
+function parse___meant(text, error, dimension, example) {
 let compound, fits, powers;
 
 ([powers, compound] = [$once(parse___powers, $kept_parse___powers)(dimension), (!$eq($m.strip(text), error.name))]);
@@ -559,7 +565,7 @@ let compound, fits, powers;
 if ($truth(fits)) {
 return ("" + "Did you mean " + $str($m.join(" or ", $slice(fits, null, 2))) + "?");
 }
-return ("" + "Write for example " + $str($shown($bound($at($c22c8, dimension), "example"))) + ".");
+return parse___for_example(dimension, example);
 }
 function parse___powers(dimension) {
 return $once(parse___resolve, $kept_parse___resolve)($bound($at($c22c8, dimension), "si_unit")).powers;
@@ -789,7 +795,7 @@ let belt, built, case_, cases, given, more, names, own, problem, speed, sure, te
 for (problem of $iter(drive__repeated("pulley", names))) {
 report.take(new InputError(problem), []);
 }
-if ((($b.len($b.set(names)) < $b.len($or($m.get(record, "pulley"), () => []))) || !$truth($b.isinstance(belt, Record)))) {
+if ((!$truth(names) || ($b.len($b.set(names)) < $b.len($at(record, "pulley"))) || !$truth($b.isinstance(belt, Record)))) {
 return [];
 }
 (sure = $and(belt.sound("speed"), () => $b.all((function* () { for (const item of $iter(pulleys)) { yield item.sound(...$iter($c6fe1)); } })())));
@@ -888,7 +894,7 @@ return pairs;
 function tensions__resolve(given, speed, report, sure = true) {
 let entry, exit_, fault, item, made, place, tensions, wrong;
 
-(wrong = [...(function* () { for (const item of $iter(given)) { yield tensions___wrong(item, speed, report); } })()]);
+(wrong = [...(function* () { for (const item of $iter(given)) { if (!(($truth(sure) || !$truth(item.inherited)))) continue; yield tensions___wrong(item, speed, report); } })()]);
 if ($truth($b.any(wrong))) {
 return $map([]);
 }
@@ -951,15 +957,14 @@ return null;
 }
 }
 function drive_file___of_case(case_, own, take_up, speed, report) {
-let given, item, name, names, over, place, remedy, table, tables, there;
+let given, item, name, names, over, place, table, tables;
 
 (tables = $m.get(case_, "pulley", $map([])));
 (names = [...(function* () { for (const item of $iter(own)) { yield item.name; } })()]);
-for (name of $iter(tables)) {
+for (name of $iter(($truth(own) ? tables : []))) {
 if ((!$in(name, names))) {
-(there = $m.join(", ", (function* () { for (const name of $iter(names)) { yield $shown(name); } })()));
-(remedy = $or(errors__nearest(name, names), () => ("" + "The pulleys are " + $str(there) + ".")));
-report.add([...$iter(case_.place), "pulley", name], "no such pulley", remedy);
+(place = [...$iter(case_.place), "pulley", name]);
+report.add(place, "no such pulley", errors__name_remedy(name, names));
 }
 }
 (given = []);
@@ -970,6 +975,17 @@ for (item of $iter(own)) {
 $m.append(given, $method(item, "overridden", [over], [["fixed", take_up.fixed], ["speed", speed]]));
 }
 return given;
+}
+function errors__name_remedy(given, known) {
+let listed, names;
+
+(names = $b.list(known));
+(listed = ($truth(names) ? ("" + "Write one of " + $str(errors__format_names(names)) + ".") : ""));
+return $or(errors__nearest(given, names), () => listed);
+}
+function errors__format_names(names, most = 6) {
+
+return errors__format_list([...(function* () { for (const name of $iter(names)) { yield $shown(name); } })()], most);
 }
 function conditions__condition_name(case_) {
 let value;
@@ -1035,11 +1051,11 @@ report.add([...$iter(given.place), "belt_mass"], "missing", "Write for example b
 if ((speed != null)) {
 $put(more, "speed", speed);
 }
-if ($truth(given.sound())) {
+(unsure = $or(!$truth($b.isinstance(belt, Record)), () => !$truth(belt.sound("speed"))));
+if (($truth(given.sound()) && !$truth(unsure))) {
 (conveyor = $method($ce84a, "built", [given, report], [...more]));
 return conveyor;
 }
-(unsure = $or(!$truth($b.isinstance(belt, Record)), () => !$truth(belt.sound("speed"))));
 (told = conveyor__choices(new Set([...$iter(given), ...$iter(given.faulty), ...$iter(more), ...$iter(($truth(unsure) ? ["speed"] : []))])));
 if ($truth(told)) {
 report.take(new InputError(told), $bound(given, "place"), $bound(given, "raw"));
@@ -1501,7 +1517,7 @@ let action, fault, headline, label;
 
 (fault = (status === "The solver did not reach its accuracy on this train. Please report the drive file; until then change a value slightly."));
 ([headline, label, action] = $at($c3340, status));
-return new Check("operating_point", "Operating point", ($truth(fault) ? "INTERNAL ERROR" : "FAILS"), place, undefined, "operating point", undefined, undefined, undefined, undefined, undefined, headline, ($truth(overrun) ? "Set brakes = true if the drive can brake." : action), check__escaped(reason), label);
+return new Check("operating_point", "Operating point", ($truth(fault) ? "INTERNAL ERROR" : "FAILS"), place, undefined, undefined, "operating point", undefined, undefined, undefined, undefined, undefined, headline, ($truth(overrun) ? "Set brakes = true if the drive can brake." : action), check__escaped(reason), label);
 }
 function check__escaped(text) {
 
@@ -1516,7 +1532,7 @@ yield rule__not_checked(name, title, noun, place, undefined, "no operating point
 }
 function rule__not_checked(name, title, noun, place, missing = "", why = "") {
 
-return new Check(name, title, "NOT CHECKED", place, undefined, noun, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, missing, why);
+return new Check(name, title, "NOT CHECKED", place, undefined, undefined, noun, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, missing, why);
 }
 function numbers__pull_against(pulls) {
 let small;
@@ -1539,7 +1555,7 @@ if ($truth($b.isinstance(division, Pulls))) {
 (action = "Give tensions with which every pulley drives.");
 }
 }
-return new Check("opposing_drives", "Opposing drives", ($truth(opposes) ? "ATTENTION" : "OK"), place, "opposing_tension", "opposing drives", ($truth(opposes) ? opposing : NaN), undefined, "force", undefined, undefined, ($truth(opposes) ? "Drives oppose each other by {value}" : ""), ($truth(opposes) ? action : ""), undefined, ($truth(opposes) ? "drives oppose" : ""));
+return new Check("opposing_drives", "Opposing drives", ($truth(opposes) ? "ATTENTION" : "OK"), place, undefined, "opposing_tension", "opposing drives", ($truth(opposes) ? opposing : NaN), undefined, "force", undefined, undefined, ($truth(opposes) ? "Drives oppose each other by {value}" : ""), ($truth(opposes) ? action : ""), undefined, ($truth(opposes) ? "drives oppose" : ""));
 }
 function* of_drive__unknown_trims(belt, pulleys, at) {
 let first, opposite, place, pulley, shift;
@@ -1578,7 +1594,7 @@ if ($truth(opposite)) {
 } else {
 (why = ("" + "{layer} of belt assumed: pulleys of two diameters, compared with " + $str(first) + "."));
 }
-return new Check("belt_thickness", "Trim, belt thickness", "ATTENTION", place, undefined, "trim", undefined, undefined, undefined, undefined, undefined, "Trim uncertain by {shift} %: belt thickness missing", "Give pulley_cover, carry_cover and carcass.", why, "trim without belt thickness", undefined, undefined, undefined, $map([["shift", new Amount($mul(100.0, shift), "number")], [($truth(opposite) ? "apart" : "layer"), new Amount(($truth(opposite) ? 0.004 : 0.01), "length")]]), false);
+return new Check("belt_thickness", "Trim, belt thickness", "ATTENTION", place, undefined, undefined, "trim", undefined, undefined, undefined, undefined, undefined, "Trim uncertain by {shift} %: belt thickness missing", ("" + $str("Give pulley_cover, carry_cover and carcass") + "."), why, "trim without belt thickness", undefined, undefined, undefined, $map([["shift", new Amount($mul(100.0, shift), "number")], [($truth(opposite) ? "apart" : "layer"), new Amount(($truth(opposite) ? 0.004 : 0.01), "length")]]), false);
 }
 function of_train__train_balance(error, place) {
 let text;
@@ -1627,7 +1643,7 @@ function* of_drive__meeting(before, leaves, after, enters, place) {
 if (($b.abs($sub(leaves, enters)) <= $mul(0.02, $b.max(leaves, enters)))) {
 return null;
 }
-yield new Check("meeting", "Tension between pulleys", "ATTENTION", place, undefined, "tension between pulleys", undefined, undefined, undefined, undefined, undefined, ("" + "Belt leaves " + $str(check__escaped(before)) + " at {leaves} but enters " + $str(check__escaped(after)) + " at {enters}"), "Give equal tensions, or the run's rise {rise}.", undefined, "tensions differ", undefined, undefined, undefined, $map([["leaves", new Amount(leaves, "force")], ["enters", new Amount(enters, "force")], ["rise", new Amount($sub(enters, leaves), "force")]]), false);
+yield new Check("meeting", "Tension between pulleys", "ATTENTION", place, undefined, undefined, "tension between pulleys", undefined, undefined, undefined, undefined, undefined, ("" + "Belt leaves " + $str(check__escaped(before)) + " at {leaves} but enters " + $str(check__escaped(after)) + " at {enters}"), "Give equal tensions, or the run's rise {rise}.", undefined, "tensions differ", undefined, undefined, undefined, $map([["leaves", new Amount(leaves, "force")], ["enters", new Amount(enters, "force")], ["rise", new Amount($sub(enters, leaves), "force")]]), false);
 }
 function* usual__owners_of(train) {
 let division, kinds, motor, pulley, turns;
@@ -1658,6 +1674,7 @@ if ($truth($b.any((function* () { for (const pulley of $iter(drive.pulleys)) { y
 yield* $iter(in_page_checks__across(result));
 }
 yield* $iter(of_drive__take_up(drive));
+yield* $iter(case_kind__case_kinds(drive));
 yield* $iter(judge__diameters(drive));
 yield* $iter(usual__usual_sizes(drive, ...$iter(others)));
 for (pulley of $iter(drive.pulleys)) {
@@ -1686,10 +1703,10 @@ let name, place, result;
 (name = "gross_slip");
 (place = new Place($bound(result.arc, "pulley"), $bound(case_, "name")));
 if ((result.status === "The solver did not reach its accuracy on this arc. Please report the drive file; until then change a value slightly.")) {
-return new Check(name, "Gross-slip safety", "INTERNAL ERROR", place, undefined, "gross-slip safety", undefined, undefined, undefined, undefined, undefined, "No solution", "Do not use this result. Report the drive file.", check__escaped($b.str($bound(result, "status"))), "not solved");
+return new Check(name, "Gross-slip safety", "INTERNAL ERROR", place, undefined, undefined, "gross-slip safety", undefined, undefined, undefined, undefined, undefined, "No solution", "Do not use this result. Report the drive file.", check__escaped($b.str($bound(result, "status"))), "not solved");
 }
 if ($truth(rule__idle($bound(result, "arc")))) {
-return new Check(name, "Gross-slip safety", "OK", place, undefined, "gross-slip safety", undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, "not driven");
+return new Check(name, "Gross-slip safety", "OK", place, undefined, undefined, "gross-slip safety", undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, "not driven");
 }
 return of_arc__of_sliding(drive, case_, result, in_page_checks__sliding(result));
 }
@@ -1760,7 +1777,7 @@ let none, tensions, what;
 (tensions = $at(case_.tensions, pulley.name));
 (none = pull__idles($bound(tensions, "entry"), $bound(tensions, "exit")));
 (what = ($truth(none) ? "transmits no tension" : "brakes"));
-return new Check("sense", ("" + $str(pulley.name) + " " + $str(what)), "OK", new Place($bound(pulley, "name"), $bound(case_, "name")), undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, false);
+return new Check("sense", ("" + $str(pulley.name) + " " + $str(what)), "OK", new Place($bound(pulley, "name"), $bound(case_, "name")), undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, false);
 }
 function* in_page_checks__across(_result) {
 
@@ -1789,7 +1806,7 @@ return null;
 (what = ($truth(fixed) ? "T1 + T2" : what));
 (other = (($truth(fixed) || $truth(after)) ? "" : of_drive___steady(drive)));
 (named = [...(function* () { for (const name of $iter([low, high])) { yield new Place(undefined, name); } })()]);
-yield new Check("take_up", "Take-up tension", "ATTENTION", undefined, undefined, "take-up tension", undefined, undefined, undefined, undefined, undefined, ("" + $str($m.capitalize(kind)) + " take-up needs equal " + $str(what) + ": " + $str(check__escaped($b.str($at(named, 0)))) + " has {least}, " + $str(check__escaped($b.str($at(named, 1)))) + " has {most}"), ("" + "Set equal " + $str(what) + ", or correct take_up.kind or after."), ($truth(other) ? ("" + "Behind " + $str(check__escaped(other)) + " the tension is equal in every load case.") : ""), "take-up tension", ("" + "take-up " + $str(kind) + ", input"), undefined, undefined, $map([["least", new Amount($at(tensions, low), "force")], ["most", new Amount($at(tensions, high), "force")]]), false);
+yield new Check("take_up", "Take-up tension", "ATTENTION", undefined, undefined, undefined, "take-up tension", undefined, undefined, undefined, undefined, undefined, ("" + $str($m.capitalize(kind)) + " take-up needs equal " + $str(what) + ": " + $str(check__escaped($b.str($at(named, 0)))) + " has {least}, " + $str(check__escaped($b.str($at(named, 1)))) + " has {most}"), ("" + "Set equal " + $str(what) + ", or correct take_up.kind or after."), ($truth(other) ? ("" + "Behind " + $str(check__escaped(other)) + " the tension is equal in every load case.") : ""), "take-up tension", ("" + "take-up " + $str(kind) + ", input"), undefined, undefined, $map([["least", new Amount($at(tensions, low), "force")], ["most", new Amount($at(tensions, high), "force")]]), false);
 }
 function alike__falling(items, key) {
 let every, numbers, rounded, step;
@@ -1815,6 +1832,36 @@ return pulley.name;
 }
 return "";
 }
+function* case_kind__case_kinds(drive) {
+let case_, kind, place;
+
+for (case_ of $iter(drive.load_cases)) {
+(kind = case_kind__named_kind(case_));
+if (!$truth(kind)) {
+continue;
+}
+(place = new Place(undefined, case_.name));
+yield new Check("case_kind", "Kind of load case", "ATTENTION", place, false, undefined, "kind of load case", undefined, undefined, undefined, undefined, undefined, ("" + "Load case " + $str(check__escaped($b.str(place))) + " is judged as running"), ("" + "Set kind = \"" + $str(kind) + "\"."), ("" + "Its name says " + $str(kind) + ": safety factors and belt ratings of running are compared."), "kind of load case", "name and kind of the load case, as given", undefined, undefined, undefined, false);
+}
+}
+function case_kind__named_kind(case_) {
+let kind, name, says, words;
+
+if ((!$eq(case_.kind, "running"))) {
+return "";
+}
+(name = $m.join("", [...(function* () { for (const letter of $iter($m.lower(case_.name))) { yield (($in(letter, "abcdefghijklmnopqrstuvwxyz")) ? letter : " "); } })()]));
+(words = $m.split(name));
+if ($truth($b.any((function* () { for (const word of $iter(words)) { yield ($in(word, $c8c32)); } })()))) {
+return "";
+}
+for ([kind, says] of $iter($m.items($c626f))) {
+if ($truth($b.any((function* () { for (const word of $iter(words)) { yield ($in(word, says)); } })()))) {
+return kind;
+}
+}
+return "";
+}
 function* judge__diameters(drive) {
 let pulley, spot;
 
@@ -1830,7 +1877,7 @@ let odd, parts;
 (odd = $map([...(function* () { for (const check of $iter([...$iter(usual__unusual_sizes(drive, $b.bool(parts))), ...$iter(parts)])) { yield [check.text, check]; } })()]));
 yield* $iter($m.values(odd));
 if (!$truth(odd)) {
-yield new Check("usual_sizes", "Input plausibility", "OK", undefined, undefined, "inputs", undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, false);
+yield new Check("usual_sizes", "Input plausibility", "OK", undefined, undefined, undefined, "inputs", undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, false);
 }
 }
 function* usual___others(drive, others) {
@@ -1949,7 +1996,7 @@ if (($in(name, $ca493))) {
 if ((($eq(name, "wrap")) && (value > most))) {
 (headline = "Wrap {value} exceeds {limit} on one pulley");
 }
-return new Check("usual_sizes", "Input plausibility", "ATTENTION", place, undefined, name, value, ((value > most) ? most : least), dimension, undefined, (value > most), headline, check__escaped(action), undefined, "implausible input", "sizes that conveyor drives have", undefined, undefined, undefined, false);
+return new Check("usual_sizes", "Input plausibility", "ATTENTION", place, undefined, undefined, name, value, ((value > most) ? most : least), dimension, undefined, (value > most), headline, check__escaped(action), undefined, "implausible input", "sizes that conveyor drives have", undefined, undefined, undefined, false);
 }
 function parse__meant_by(value, dimension, least, most) {
 let found, inside, number, short, text, unit, units, written;
@@ -2118,7 +2165,7 @@ $m.append($m.setdefault(sources, kind, []), ((!$eq(owner, word)) ? ("" + $str(wo
 $m.append(weak, [kind, key, word]);
 }
 (sentences = $add(sentences, [...(function* () { for (const kind of $iter($c5dd1)) { if (!(($in(kind, sources)))) continue; yield ("" + $str($m.capitalize(kind)) + ": " + $str($m.join(", ", $b.fromkeys($at(sources, kind)))) + "."); } })()]));
-return new Check("data", "Data line", "OK", new Place($bound(pulley, "name")), undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, check__escaped($m.join(" ", sentences)), undefined, undefined, undefined, undefined, undefined, false, $b.tuple(weak));
+return new Check("data", "Data line", "OK", new Place($bound(pulley, "name")), undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, check__escaped($m.join(" ", sentences)), undefined, undefined, undefined, undefined, undefined, false, $b.tuple(weak));
 }
 function of_data__key_word(key) {
 
@@ -2138,7 +2185,7 @@ if ((most <= $mul(0.02, slack))) {
 return null;
 }
 (place = new Place(pulley, case_));
-yield new Check("belt_mass", "Belt m v2", "NOT CHECKED", place, undefined, "belt m v2", undefined, undefined, undefined, undefined, undefined, undefined, undefined, ("" + "Belt mass missing: m v2 {least} to {most} (estimated) is left out, up to {share} % of T2" + $str(check__escaped($bound(place, "bracket"))) + "."), undefined, "carcasses of the catalogue and usual covers", "belt.mass", undefined, $map([["least", new Amount(least, "force")], ["most", new Amount(most, "force")], ["share", new Amount(($mul(100.0, most) / slack), "number")]]), false);
+yield new Check("belt_mass", "Belt m v2", "NOT CHECKED", place, undefined, undefined, "belt m v2", undefined, undefined, undefined, undefined, undefined, undefined, undefined, ("" + "Belt mass missing: m v2 {least} to {most} (estimated) is left out, up to {share} % of T2" + $str(check__escaped($bound(place, "bracket"))) + "."), undefined, "carcasses of the catalogue and usual covers", "belt.mass", undefined, $map([["least", new Amount(least, "force")], ["most", new Amount(most, "force")], ["share", new Amount(($mul(100.0, most) / slack), "number")]]), false);
 }
 function belt_mass__usual_mass(belt) {
 let covers, heavy, known, least, light, most, near, row, rows;
@@ -2474,7 +2521,7 @@ return least_tension___none(found, result);
 }
 (governs = found.governing);
 (where = $m.join(", ", (function* () { for (const part of $iter([governs.title, $b.str($bound(governs, "place"))])) { if (!($truth(part))) continue; yield part; } })()));
-(now = sheet__named("tension", $bound(found, "given")));
+(now = cellOf($bound(found, "given"), "force", undefined, "typed", undefined, "tension"));
 return ("" + "Minimum " + $str(least_tension__least_name(result)) + " " + $str(least_tension__at_least($bound(found, "tension"))) + " (" + $str(where) + "); now " + $str(now) + ".");
 }
 function least_tension___none(found, result) {
@@ -2513,10 +2560,6 @@ function least_tension__at_most(tension) {
 
 return cellOf(tension, "force", 3, "down", undefined, "tension");
 }
-function sheet__named(name, value) {
-
-return cell__quantity(value, $bound(term(name), "dimension"), 3, name);
-}
 function least_tension__least_table(result) {
 let counts, figure, found, heads, least, name, note, now, rows, status, symbol, text, weight;
 
@@ -2527,7 +2570,7 @@ return null;
 ([rows, name] = [[], least_tension__least_name(result)]);
 if (!$truth($math.isinf($bound(found, "tension")))) {
 (weight = cellOf($bound(found, "counterweight"), "mass", 3, "up"));
-(now = ("" + "now " + $str(sheet__named("tension", $bound(found, "given")))));
+(now = ("" + "now " + $str(cellOf($bound(found, "given"), "force", undefined, "typed", undefined, "tension"))));
 (least = least_tension__at_least($bound(found, "tension")));
 (symbol = (($eq(name, "T2")) ? "T2_min" : ""));
 $m.append(rows, new Row(("" + "Minimum " + $str(name)), [least, "", now], symbol, undefined, "minimum_tension"));
@@ -2742,7 +2785,7 @@ $m.append(notes, "the methods differ in whether it passes");
 (level = ((level === "OK") ? "ATTENTION" : level));
 }
 (where = ("" + "at " + $str(sheet__named("peak_shear_position", $bound(first, "peak_shear_position"))) + " from the entry"));
-(pressure = new Row("Wrap pressure, entry to exit", arc_tables___values(results, arc_tables___pressures), "p", undefined, "wrap_pressure"));
+(pressure = new Row("Wrap pressure, entry to exit", arc_tables___values(results, arc_tables___pressures), "p", undefined, "wrap_pressures"));
 (rows = [row("exit_creep", $m.join("; ", notes), level), row("exit_slip"), row("peak_shear_angle", where), row("peak_shear_stress"), pressure, row("mean_friction", "equivalent constant friction over the whole wrap"), row("active_arc", "exit part over which 99 % of the tension change takes place"), ...$iter((!$truth($math.isnan($bound(first, "k_factor"))) ? [row("k_factor", "belt modulus x width / active arc (equation 7 of the paper)")] : []))]);
 if ($truth($b.any((function* () { for (const result of $iter(results)) { yield result.sticks; } })()))) {
 $m.append(rows, row("stuck_arc", "entry part where the belt does not slip"));
@@ -2765,6 +2808,10 @@ const {note: note = "", title: title = "", level: level = null} = $named(values)
 (entry = term(name));
 (cells = $b.tuple((function* () { for (const value of $iter(values)) { yield sheet__named(name, value); } })()));
 return new Row($or(title, () => entry.title), cells, $bound(entry, "symbol"), note, name, level);
+}
+function sheet__named(name, value) {
+
+return cell__quantity(value, $bound(term(name), "dimension"), 3, name);
 }
 function arc_tables__creep_interval_text(result) {
 let end, high, low;
@@ -2909,7 +2956,7 @@ let arc, asked, c, given, heads, limit, mean, note, ratio, ratio_head, rows;
 (rows = [new Row("This load, whole wrap slipping", asked, undefined, undefined, "load")]);
 if (!$truth($math.isnan($bound(c, "equivalent_friction")))) {
 (limit = design_values___texts($bound(c, "equivalent_friction"), $bound(c, "creep_limit_capacity"), $bound(c, "least_exit_tension"), NaN));
-$m.append(rows, new Row("At the creep limit, as computed", limit, undefined, undefined, "creep_limit"));
+$m.append(rows, new Row("At the creep limit, as computed", limit, undefined, undefined, "at_creep_limit"));
 }
 (rows = $add(rows, [...(function* () { for (const classical of $iter(design_values__known(result, lagging))) { yield design_values___design_row(classical, result, of); } })()]));
 if ($truth(lagging.surface)) {
@@ -3868,7 +3915,7 @@ function drive_build___at_home(error) {
 return new InputError((function* () { for (const problem of $iter(error.problems)) { yield (($truth(problem.key) || $truth(problem.line) || !$truth(problem.file)) ? problem : new Problem(("" + $str(problem.file) + ": " + $str(problem.message)), problem.remedy)); } })());
 }
 function lagging_file__lagging_record(name_or_path, folder, allow_paths) {
-let path, text;
+let document, path, text;
 
 if (!$truth(lagging_file__is_path(name_or_path))) {
 (text = laggingText(name_or_path));
@@ -3878,7 +3925,29 @@ if (!$truth(allow_paths)) {
 throw errors__input_error("cannot be a path here", "Write a catalogue name, or add a [lagging.NAME] table.", undefined, undefined, $shown(name_or_path));
 }
 (path = readText(folder, name_or_path));
-return [lagging_file___record(readText(path), path), path];
+(document = parsed(readText(path), path));
+file_kinds__refuse_other(document, "lagging", path);
+return [lagging_file___checked_record(document, path), path];
+}
+function file_kinds__refuse_other(document, wanted, file = "") {
+let kind;
+
+if (($truth(wanted) && $truth(file_kinds___is(document, $at($c0407, wanted))))) {
+return null;
+}
+for (kind of $iter($m.values($c0407))) {
+if ($truth(file_kinds___is(document, kind))) {
+throw file_kinds___other(kind, file);
+}
+}
+}
+function file_kinds___is(document, kind) {
+return $b.any((function* () { for (const key of $iter(kind.keys)) { yield ($in(key, document)); } })());
+}
+function file_kinds___other(kind, file) {
+let message;
+(message = ("" + "this is " + $str(kind.words) + ": wraparc " + $str(kind.command) + " FILE"));
+return errors__input_error(message, undefined, file);
 }
 function drive_build___merged_origins(base, given) {
 let own, provenance, sources;
@@ -3921,17 +3990,13 @@ let band, dry, here, high, known, low, note, source, there;
 (dry = $b.next((function* () { for (const d of $iter(there)) { if (!(($eq(d.condition, tested)))) continue; yield d; } })(), null));
 if (((here == null) || (dry == null))) {
 (known = $b.sorted(new Set((function* () { for (const d of $iter((() => $c9375)())) { if (!($truth(d.condition))) continue; yield d.standard; } })())));
-throw errors__input_error(("" + "no design values " + $str(tested) + " and " + $str(condition) + " of surface " + $str($shown(surface))), ("" + "Give a factor, or one of " + $str(errors__format_names(known)) + "."), undefined, ("" + "condition." + $str(condition)), $shown(standard));
+throw errors__input_error(("" + "no design values " + $str(tested) + " and " + $str($shown(condition)) + " of surface " + $str($shown(surface))), ("" + "Give a factor, or one of " + $str(errors__format_names(known)) + "."), undefined, ("" + "condition." + $str(condition)), $shown(standard));
 }
 ([low, high] = [($at(here.friction, 0) / $at(dry.friction, 1)), ($at(here.friction, 1) / $at(dry.friction, 0))]);
 (band = ((low < high) ? ("" + ", " + $format(low, ("" + ".3g")) + " to " + $format(high, ("" + ".3g"))) : ""));
 (note = ("" + $str(surface) + " " + $str(condition) + " " + $str(conditions___ends(here)) + " over " + $str(tested) + " " + $str(conditions___ends(dry)) + ", middle values" + $str(band) + "; a ratio of constant design values applied to the whole law"));
 (source = new Provenance("published", $bound(here.provenance, "source"), $bound(here.provenance, "date"), note));
 return [($b.sum($bound(here, "friction")) / $b.sum($bound(dry, "friction"))), source];
-}
-function errors__format_names(names, most = 6) {
-
-return errors__format_list([...(function* () { for (const name of $iter(names)) { yield $shown(name); } })()], most);
 }
 function conditions___ends(design) {
 let high, low;
@@ -4012,13 +4077,6 @@ throw errors__no_such(what, name, [...(function* () { for (const one of $iter(am
 function errors__no_such(what, name, known, of = "the drive") {
 
 return errors__input_error(("" + $str(of) + " has no such " + $str(what)), errors__name_remedy(name, known), undefined, undefined, $shown(name));
-}
-function errors__name_remedy(given, known) {
-let listed, names;
-
-(names = $b.list(known));
-(listed = ($truth(names) ? ("" + "Write one of " + $str(errors__format_names(names)) + ".") : ""));
-return $or(errors__nearest(given, names), () => listed);
 }
 function drive___pull(case_) {
 return $math.fsum((function* () { for (const t of $iter($m.values(case_.tensions))) { yield t.effective; } })());
@@ -4661,7 +4719,7 @@ if ($truth(entry.example)) {
 return ("" + "Write " + $str(entry.example) + ".");
 }
 if ($truth($b.isinstance(kind, Quantity))) {
-return ("" + "Write for example " + $str(entry.key) + " = " + $str($shown($bound($at($c22c8, kind.dimension), "example"))) + ".");
+return ("" + "Write for example " + $str(entry.key) + " = " + $str($shown(kind.example())) + ".");
 }
 if ($truth($b.isinstance(kind, Choice))) {
 return ("" + "Write " + $str(entry.key) + " = " + $str($shown($at(kind.options, 0))) + " or another word.");
@@ -4795,7 +4853,7 @@ if (!$truth(criteria.standard.name)) {
 yield rule__not_checked($bound(rule, "name"), title, noun, $bound(of, "place"), undefined, found.why_not);
 return null;
 }
-yield new Check(rule.name, title, rule.missed, of.place, undefined, noun, undefined, undefined, undefined, undefined, undefined, check__escaped(("" + $str(found.name) + " does not apply: " + $str(found.why_not))), "Set design_standard.friction.", undefined, "standard not applicable", undefined, undefined, undefined, undefined, rule.binding);
+yield new Check(rule.name, title, rule.missed, of.place, undefined, undefined, noun, undefined, undefined, undefined, undefined, undefined, check__escaped(("" + $str(found.name) + " does not apply: " + $str(found.why_not))), "Set design_standard.friction.", undefined, "standard not applicable", undefined, undefined, undefined, undefined, rule.binding);
 return null;
 }
 (assumed = (($truth(criteria.standard.name) || (criteria.standard.friction != null)) ? "" : " No standard was chosen: CEMA assumed."));
@@ -4830,7 +4888,7 @@ let fit;
 if (((fit == null) || !$truth(fit.knots))) {
 return null;
 }
-yield new Check("creep_interval", "Creep, 95 % bound", "ATTENTION", of.place, undefined, "creep, 95 % bound", undefined, undefined, undefined, undefined, undefined, "Creep, 95 % bound, is not computed in this page", "Solve the file with wraparc solve.", undefined, "95 % bound not computed", undefined, undefined, undefined, undefined, false);
+yield new Check("creep_interval", "Creep, 95 % bound", "ATTENTION", of.place, undefined, undefined, "creep, 95 % bound", undefined, undefined, undefined, undefined, undefined, "Creep, 95 % bound, is not computed in this page", "Solve the file with wraparc solve.", undefined, "95 % bound not computed", undefined, undefined, undefined, undefined, false);
 }
 function* of_wet___wet_creep(of) {
 let creep, exceeds, factor, lagging, limit, name, source, text, why;
@@ -4920,7 +4978,7 @@ yield of_data___untested(of, "worn", "worn", "unworn friction used", "");
 function of_data___untested(of, state, part, used, full) {
 let lagging;
 (lagging = of.pulley.lagging);
-return new Check("condition", ("" + "Friction, " + $str(state)), "ATTENTION", of.place, undefined, ("" + "friction, " + $str(state)), undefined, undefined, undefined, undefined, undefined, check__escaped(("" + $str(lagging.name) + " not tested " + $str(state) + ": " + $str(used))), ("" + "Test the lagging " + $str(check__escaped(state)) + "."), check__escaped(full), ("" + "not tested " + $str(state)), rule__origin($at(lagging.sources, part)), undefined, undefined, undefined, false);
+return new Check("condition", ("" + "Friction, " + $str(state)), "ATTENTION", of.place, undefined, undefined, ("" + "friction, " + $str(state)), undefined, undefined, undefined, undefined, undefined, check__escaped(("" + $str(lagging.name) + " not tested " + $str(state) + ": " + $str(used))), ("" + "Test the lagging " + $str(check__escaped(state)) + "."), check__escaped(full), ("" + "not tested " + $str(state)), rule__origin($at(lagging.sources, part)), undefined, undefined, undefined, false);
 }
 function* of_data___fit(of) {
 let first, lagging, more, others;
@@ -4931,7 +4989,7 @@ return null;
 }
 ([first, ...more] = lagging.fit.misfit);
 (others = ($truth(more) ? ("" + " (and " + $str($b.len(more)) + " more of its lagging file)") : ""));
-yield new Check("fit", "Friction fit", "ATTENTION", of.place, undefined, "friction fit", undefined, undefined, undefined, undefined, undefined, check__escaped(("" + "Friction law of " + $str(lagging.name) + " deviates from its tests")), "Repeat these tests and refit (wraparc fit).", check__escaped(("" + $str($m.rstrip(first, ".")) + $str(others) + "." + $str(of_data___accepted($bound(lagging.fit, "misfit_accepted"))))), "friction fit", rule__origin($m.get(lagging.sources, "law", $bound(lagging, "provenance"))), undefined, undefined, undefined, false);
+yield new Check("fit", "Friction fit", "ATTENTION", of.place, undefined, undefined, "friction fit", undefined, undefined, undefined, undefined, undefined, check__escaped(("" + "Friction law of " + $str(lagging.name) + " deviates from its tests")), "Repeat these tests and refit (wraparc fit).", check__escaped(("" + $str($m.rstrip(first, ".")) + $str(others) + "." + $str(of_data___accepted($bound(lagging.fit, "misfit_accepted"))))), "friction fit", rule__origin($m.get(lagging.sources, "law", $bound(lagging, "provenance"))), undefined, undefined, undefined, false);
 }
 function of_data___accepted(reason) {
 return ($truth(reason) ? ("" + " The laboratory wrote it nevertheless: " + $str($m.rstrip(reason, ".")) + ".") : "");
@@ -5803,7 +5861,7 @@ if (((over != null) && $truth($b.any((function* () { for (const mode of $iter($c
 (modes = [...(function* () { for (const mode of $iter($c3ab3)) { if (!(($in(mode, record)))) continue; yield mode; } })()]);
 if (($b.len(modes) > 1)) {
 (message = ("" + $str($m.join(" and ", modes)) + " each decide how the load divides"));
-self._report.add($bound(record, "place"), message, "Keep one of them.");
+self._report.add($bound(record, "place"), message, "Remove one of them.");
 return null;
 }
 if (!$truth(modes)) {
@@ -6323,7 +6381,7 @@ return "";
 return ("" + $str(($truth(self.at_most) ? "max" : "min")) + " " + $str($at(self.texts(), 1)));
 }
 get text() {
-const self = this; let measured, reason;
+const self = this; let measured, reason, where;
 
 if ((self.level === "NOT CHECKED")) {
 (reason = ($truth(self.missing) ? ("" + $str(self.missing) + " missing") : self.why));
@@ -6333,7 +6391,8 @@ if (!$truth(self.headline)) {
 (measured = self.measured);
 return ("" + $str(self.title) + $str(($truth(measured) ? ("" + ": " + $str(measured)) : "")) + $str(self.place.bracket) + ".");
 }
-return ("" + $str(self._filled($bound(self, "headline"))) + $str(self.place.bracket) + ".");
+(where = ($truth(self.is_placed) ? self.place.bracket : ""));
+return ("" + $str(self._filled($bound(self, "headline"))) + $str(where) + ".");
 }
 get action_text() {
 const self = this; 
@@ -6385,7 +6444,7 @@ const self = this;
 return self._filled($bound(self, "full"));
 }
 }
-$sig(Check, ["name", "title", "level", "place", "quantity", "noun", "value", "limit", "dimension", "is_percent", "at_most", "headline", "action", "full", "label", "source", "missing", "why", "more", "binding", "weak"], false, {place: () => $cb829, quantity: () => "", noun: () => "", value: () => NaN, limit: () => NaN, dimension: () => "number", is_percent: () => false, at_most: () => true, headline: () => "", action: () => "", full: () => "", label: () => "", source: () => "", missing: () => "", why: () => "", more: () => new Map(), binding: () => true, weak: () => []});
+$sig(Check, ["name", "title", "level", "place", "is_placed", "quantity", "noun", "value", "limit", "dimension", "is_percent", "at_most", "headline", "action", "full", "label", "source", "missing", "why", "more", "binding", "weak"], false, {place: () => $cb829, is_placed: () => true, quantity: () => "", noun: () => "", value: () => NaN, limit: () => NaN, dimension: () => "number", is_percent: () => false, at_most: () => true, headline: () => "", action: () => "", full: () => "", label: () => "", source: () => "", missing: () => "", why: () => "", more: () => new Map(), binding: () => true, weak: () => []});
 class Pulls extends $Object {
 }
 $sig(Pulls, ["effective_tensions"], false, {});
@@ -7115,13 +7174,14 @@ return value;
 class tables$Table extends Kind {
 get _fields() { return $kept(this, "_fields", this.$find__fields()); }
 $init(title, ...entries) {
-const self = this; const {of: of = null, on_one_line: on_one_line = false} = $named(entries);
+const self = this; const {of: of = null, on_one_line: on_one_line = false, misplaced: misplaced = null} = $named(entries);
 ([self.title, self.of, self.on_one_line] = [title, of, on_one_line]);
+(self.misplaced = misplaced);
 (self.entries = $b.tuple((function* () { for (const e of $iter(entries)) { yield ((e.kind === $c843e) ? $replaced(e, new Map([["kind", tables___kind_of(of, $bound(e, "attribute"))]])) : e); } })()));
 (self._known = $map([...(function* () { for (const entry of $iter(self.entries)) { yield [entry.key, entry]; } })()]));
 }
 read(raw, place, report) {
-const self = this; let entry, given, key, known, record, remedy, value;
+const self = this; let entry, given, key, known, misspelt, record, remedy, unknown, value;
 
 if (!$truth($b.isinstance(raw, "dict"))) {
 report.add(place, "must be a table", "Write its keys below its name in [ ].", raw);
@@ -7129,11 +7189,17 @@ return $c2f8b;
 }
 (given = self._renamed(raw, place, report));
 (known = self._known);
-for (key of $iter([...(function* () { for (const key of $iter(given)) { if (!((!$in(key, known)))) continue; yield key; } })()])) {
+(record = new Record($map([]), place, given));
+(unknown = [...(function* () { for (const key of $iter(given)) { if (!((!$in(key, known)))) continue; yield key; } })()]);
+if ((self.misplaced != null)) {
+(unknown = self._without_misplaced(unknown, place, report));
+}
+for (key of $iter(unknown)) {
 (remedy = ($truth(report.full) ? "" : tables__unknown_key_remedy(key, known)));
 report.add([...$iter(place), key], "unknown key", remedy);
+$m.update(record.faulty, errors__near(key, [...(function* () { for (const k of $iter(known)) { if (!((!$in(k, given)))) continue; yield k; } })()], 1));
 }
-(record = new Record($map([]), place, given));
+(misspelt = $b.set($bound(record, "faulty")));
 for ([key, entry] of $iter($m.items(known))) {
 if (($in(key, given))) {
 (value = entry.kind.read($at(given, key), [...$iter(place), key], report));
@@ -7146,7 +7212,9 @@ $put(record, key, value);
 } else {
 if (($truth(entry.required) && !($truth(entry.unless) && ($in(entry.unless, given))))) {
 record.faulty.add(key);
+if ($truth($m.isdisjoint(misspelt, [key, entry.unless]))) {
 report.add([...$iter(place), key], "missing", tables__missing_remedy(entry));
+}
 }
 }
 }
@@ -7163,6 +7231,16 @@ return null;
 (names = $map([...(function* () { for (const e of $iter(self.entries)) { yield [e.attribute, e.key]; } })()]));
 return report.tried((() => $call(made, [], [...$map([...values, ...more])])), $bound(record, "place"), $bound(record, "raw"), names);
 }
+_without_misplaced(unknown, place, report) {
+const self = this; let of, there;
+
+(of = self.misplaced);
+(there = ((of == null) ? [] : [...(function* () { for (const key of $iter(unknown)) { if (!(($in(key, of.keys)))) continue; yield key; } })()]));
+if (((of != null) && $truth(there))) {
+report.add([...$iter(place), $at(there, 0)], $bound(of, "message"), $m.replace(of.remedy, "{key}", $at(there, 0)));
+}
+return [...(function* () { for (const key of $iter(unknown)) { if (!((!$in(key, there)))) continue; yield key; } })()];
+}
 _renamed(raw, place, report) {
 const self = this; let entry, given, message, value;
 (given = $b.dict(raw));
@@ -7173,7 +7251,7 @@ continue;
 (value = $m.pop(given, $bound(entry, "alias")));
 if (($in(entry.key, given))) {
 (message = ("" + "means the same as " + $str(entry.key) + ", which is also there"));
-report.add([...$iter(place), entry.alias], message, "Keep one of them.", value);
+report.add([...$iter(place), entry.alias], message, "Remove one of them.", value);
 } else {
 $put(given, entry.key, value);
 }
@@ -7215,7 +7293,7 @@ if (($b.len(raw) > self.longest)) {
 report.add(place, ("" + "longer than " + $str(self.longest) + " characters"), "Shorten it.", raw);
 } else {
 if (!$truth($m.isprintable(($truth(self.lines) ? $m.translate(raw, $ca8ba) : raw)))) {
-report.add(place, "holds characters that cannot be printed", "Remove them.", raw);
+report.add(place, "contains characters that cannot be printed", "Remove them.", raw);
 } else {
 return raw;
 }
@@ -7227,14 +7305,13 @@ return $c2f8b;
 $sig(Text, ["longest", "lines"], false, {longest: () => 200, lines: () => false});
 class Quantity extends Kind {
 read(raw, place, report) {
-const self = this; let error, refusal, value;
+const self = this; let refusal, value;
 
 try {
 (value = parse__parse_quantity(raw, $bound(self, "dimension")));
 } catch ($error) {
 if ($error instanceof InputError) {
-error = $error;
-report.take(error, place, raw);
+report.tried((() => parse__parse_quantity(raw, $bound(self, "dimension"), self.example())), place, raw);
 return $c2f8b;
 } else throw $error;
 }
@@ -7244,6 +7321,19 @@ $method(report, "add", [place, refusal], [["value", raw]]);
 return $c2f8b;
 }
 return value;
+}
+example() {
+const self = this; let factor, number, scaled, text, unit;
+
+(text = $at($c22c8, self.dimension).example);
+([number, unit] = numbers__split_number(text));
+for (factor of $iter($cdade)) {
+(scaled = $m.strip(("" + $format($mul(number, $b.Decimal(factor)).normalize(), ("" + "f")) + " " + $str(unit))));
+if (($truth(self.limit) && !$truth(self.limit.refusal(parse__parse_quantity(scaled, $bound(self, "dimension")))))) {
+return scaled;
+}
+}
+return text;
 }
 }
 $sig(Quantity, ["dimension", "limit"], false, {limit: () => null});
@@ -7414,12 +7504,15 @@ const self = this; let message;
 if (($truth($b.isinstance(raw, "str")) && ($in(raw, self.options)))) {
 return raw;
 }
+if (($truth($b.isinstance(raw, "str")) && ($in(raw, self.others)))) {
+return $at(self.others, raw);
+}
 (message = ("" + "must be one of " + $str(errors__format_names($bound(self, "options")))));
 report.add(place, message, errors__nearest(raw, $bound(self, "options"), 1), raw);
 return $c2f8b;
 }
 }
-$sig(Choice, ["options"], false, {});
+$sig(Choice, ["options", "others"], false, {others: () => new Map()});
 class Across extends $Object {
 __post_init__() {
 const self = this; let key, least, message, problems, profile;
@@ -7751,7 +7844,7 @@ const self = this; let fails, headline, level, passes;
 (fails = numbers__beyond(value, $bound(self, "fails_beyond"), $bound(self, "at_most")));
 (headline = (($truth(fails) && $truth(text.fails)) ? text.fails : text.headline));
 (level = ($truth(fails) ? "FAILS" : self.missed));
-return new Check(self.name, text.title, ($truth(passes) ? "OK" : level), place, $or(self.result, () => self.name), text.noun, value, limit, self.dimension, self.is_percent, self.at_most, ($truth(passes) ? "" : headline), ($truth(passes) ? "" : text.action), ($truth(passes) ? "" : text.full), ($truth(passes) ? "" : text.label), text.source, undefined, undefined, text.more, self.binding);
+return new Check(self.name, text.title, ($truth(passes) ? "OK" : level), place, undefined, $or(self.result, () => self.name), text.noun, value, limit, self.dimension, self.is_percent, self.at_most, ($truth(passes) ? "" : headline), ($truth(passes) ? "" : text.action), ($truth(passes) ? "" : text.full), ($truth(passes) ? "" : text.label), text.source, undefined, undefined, text.more, self.binding);
 }
 limited(allowed, state) {
 const self = this; 
@@ -7898,6 +7991,9 @@ return (($eq($b.len(named), $b.len(found))) ? named : []);
 
 }
 $sig(Fit, ["parameters", "values", "covariance", "residual_noise", "date", "method", "misfit", "misfit_accepted", "coverage_factor"], false, {residual_noise: () => null, date: () => "", method: () => "", misfit: () => [], misfit_accepted: () => "", coverage_factor: () => 1.96});
+class FileKind extends $Tuple {
+}
+$sig(FileKind, ["words", "command", "keys"], false, {});
 class Induction extends Motor {
 _problems() {
 const self = this; let message;
@@ -8029,8 +8125,13 @@ return new Rows($bound(self, "kind"), 1, $bound(self, "most")).read(raw, place, 
 $sig(OneOrMore, ["kind", "most"], false, {most: () => 50});
 class Rows extends Kind {
 read(raw, place, report) {
-const self = this; let count, labels;
+const self = this; let count, labels, name;
 
+if (($truth($b.isinstance(raw, "dict")) && $truth(place))) {
+(name = problems__place_text(place));
+report.add(place, "must be an array of tables", ("" + "Write [[" + $str(name) + "]] for [" + $str(name) + "]."));
+return $c2f8b;
+}
 if (!$truth($b.isinstance(raw, "list"))) {
 report.add(place, "must be an array", "Put it in [ ], as the examples show.", raw);
 return $c2f8b;
@@ -8152,6 +8253,9 @@ return $c2f8b;
 }
 }
 $sig(Count, ["least", "most"], false, {});
+class Misplaced extends $Tuple {
+}
+$sig(Misplaced, ["keys", "message", "remedy"], false, {});
 class Elsewhere extends Kind {
 read(raw, place, report) {
 const self = this; 
@@ -8199,7 +8303,7 @@ const self = this;
 throw $TypeError;
 }
 }
-const $cc03e = ["of", "entries", "_known"];
+const $c38db = ["of", "misplaced", "entries", "_known"];
 const $cc442 = ["key", "kind", "required", "alias", "example", "attribute", "unless"];
 const $cd20a = ["dimension", "limit"];
 const $c0afb = $made(Quantity, $cd20a, ["number", null]);
@@ -8224,12 +8328,14 @@ const $ceac4 = $made(Quantity, $cd20a, ["number", $cd2d2]);
 const $ca34d = $made(Entry, $cc442, ["friction_factor", $ceac4, false, "", "", "factor", ""]);
 const $c6a0b = $made(ByName, $cf6b7, [$ceac4, 200]);
 const $c4bd7 = $made(Entry, $cc442, ["friction_factors", $c6a0b, false, "", "", "friction_factors", ""]);
-const $ca793 = ["options"];
+const $c322f = ["options", "others"];
 const $c3465 = ["DIN 22101", "practice"];
-const $c0782 = $made(Choice, $ca793, [$c3465]);
+const $cd1e1 = new Map([]);
+const $c0782 = $made(Choice, $c322f, [$c3465, $cd1e1]);
 const $ce3ac = $made(Entry, $cc442, ["standard", $c0782, false, "", "", "standard", ""]);
 const $c375d = ["measured", "published", "calibrated", "illustrative", "given"];
-const $c7aba = $made(Choice, $ca793, [$c375d]);
+const $c2f62 = new Map([]);
+const $c7aba = $made(Choice, $c322f, [$c375d, $c2f62]);
 const $c4f19 = $made(Entry, $cc442, ["kind", $c7aba, true, "", "", "kind", ""]);
 const $ccbaa = $made(Text, $ceae0, [500, false]);
 const $c57e7 = $made(Entry, $cc442, ["source", $ccbaa, false, "", "", "source", ""]);
@@ -8239,11 +8345,11 @@ const $cd050 = $made(Text, $ceae0, [1000, false]);
 const $cd519 = $made(Entry, $cc442, ["note", $cd050, false, "", "", "note", ""]);
 const $c085d = [$c4f19, $c57e7, $caef5, $cd519];
 const $cc3a5 = new Map([["kind", $c4f19], ["source", $c57e7], ["date", $caef5], ["note", $cd519]]);
-const $cc542 = $made(tables$Table, $cc03e, [Provenance, $c085d, $cc3a5]);
+const $cc542 = $made(tables$Table, $c38db, [Provenance, null, $c085d, $cc3a5]);
 const $c18ea = $made(Entry, $cc442, ["provenance", $cc542, false, "", "", "provenance", ""]);
 const $c3411 = [$c7314, $ca34d, $c4bd7, $ce3ac, $c18ea];
 const $c1628 = new Map([["name", $c7314], ["friction_factor", $ca34d], ["friction_factors", $c4bd7], ["standard", $ce3ac], ["provenance", $c18ea]]);
-const $c0bb9 = $made(tables$Table, $cc03e, [Condition, $c3411, $c1628]);
+const $c0bb9 = $made(tables$Table, $c38db, [Condition, null, $c3411, $c1628]);
 const $c6e45 = $made(TextOr, $cea31, [$cd35f, $c0bb9]);
 const $c317e = $made(OneOrMore, $cf6b7, [$c6e45, 8]);
 const $c750b = $made(Entry, $cc442, ["condition", $c317e, false, "", "", "condition", ""]);
@@ -8312,7 +8418,7 @@ const $c0309 = $made(ByName, $cf6b7, [$cc542, 200]);
 const $c9b00 = $made(Entry, $cc442, ["sources", $c0309, false, "", "", "sources", ""]);
 const $c75bc = [$c3ef1, $c801a, $c7e52, $cd329, $c0833, $cb059, $c8c7e, $c2745, $c5eeb, $cfe48, $c87e9, $c4ee8, $cc066, $c6210, $cc24c, $c91f6, $c182a, $c9939, $c158e, $cea14, $c69c3, $c9b00];
 const $c87a7 = new Map([["preset", $c3ef1], ["name", $c801a], ["kind", $c7e52], ["width", $cd329], ["modulus", $c0833], ["rating", $cb059], ["strength", $c8c7e], ["speed", $c2745], ["momentary_factor", $c5eeb], ["least_pulley_diameter", $cfe48], ["largest_wrap_pressure", $c87e9], ["in_plane_shear_stiffness", $c4ee8], ["pulley_cover", $cc066], ["carry_cover", $c6210], ["carcass", $cc24c], ["thickness", $c91f6], ["cover_shear_modulus", $c182a], ["cord_diameter", $c9939], ["cord_pitch", $c158e], ["mass", $cea14], ["provenance", $c69c3], ["sources", $c9b00]]);
-const $c808d = $made(tables$Table, $cc03e, [Belt, $c75bc, $c87a7]);
+const $c808d = $made(tables$Table, $c38db, [Belt, null, $c75bc, $c87a7]);
 const $cfe86 = $made(Entry, $cc442, ["belt", $c808d, true, "", "a [belt] table", "belt", ""]);
 const $ce552 = ["kind", "least", "most"];
 const $c8d5c = $made(Name, $c4a10, [60]);
@@ -8329,7 +8435,8 @@ const $c01e4 = $made(Entry, $cc442, ["x", $c6068, true, "", "", "x", ""]);
 const $c28be = $made(Quantity, $cd20a, ["length", $c9b84]);
 const $c362f = $made(Entry, $cc442, ["y", $c28be, true, "", "", "y", ""]);
 const $c6dc1 = ["clockwise", "counterclockwise"];
-const $c2da0 = $made(Choice, $ca793, [$c6dc1]);
+const $c657c = new Map([]);
+const $c2da0 = $made(Choice, $c322f, [$c6dc1, $c657c]);
 const $c464f = $made(Entry, $cc442, ["turn", $c2da0, false, "", "", "turn", ""]);
 const $c2693 = $made(Quantity, $cd20a, ["length", $c9b84]);
 const $ca4db = $made(Entry, $cc442, ["x", $c2693, true, "", "", "x", ""]);
@@ -8340,12 +8447,12 @@ const $c4bb5 = $made(Quantity, $cd20a, ["length", $cdca4]);
 const $c2786 = $made(Entry, $cc442, ["diameter", $c4bb5, false, "", "", "diameter", ""]);
 const $cdfe4 = [$ca4db, $c886d, $c2786, $c464f];
 const $cc387 = new Map([["x", $ca4db], ["y", $c886d], ["diameter", $c2786], ["turn", $c464f]]);
-const $c3776 = $made(tables$Table, $cc03e, [Point, $cdfe4, $cc387]);
+const $c3776 = $made(tables$Table, $c38db, [Point, null, $cdfe4, $cc387]);
 const $c1983 = $made(Entry, $cc442, ["before", $c3776, true, "", "a table with x and y", "before", ""]);
 const $c9f5a = $made(Entry, $cc442, ["after", $c3776, true, "", "a table with x and y", "after", ""]);
 const $cc9fe = [$c01e4, $c362f, $c464f, $c1983, $c9f5a];
 const $cefea = new Map([["x", $c01e4], ["y", $c362f], ["turn", $c464f], ["before", $c1983], ["after", $c9f5a]]);
-const $c6bd9 = $made(tables$Table, $cc03e, [Point, $cc9fe, $cefea]);
+const $c6bd9 = $made(tables$Table, $c38db, [Point, null, $cc9fe, $cefea]);
 const $c65eb = $made(Entry, $cc442, ["belt_path", $c6bd9, false, "", "", "belt_path", ""]);
 const $c0ecb = $made(Name, $c4a10, [500]);
 const $c8cae = $made(Name, $c4a10, [500]);
@@ -8357,7 +8464,8 @@ const $cd66f = $made(Entry, $cc442, ["title", $c5207, false, "", "", "title", ""
 const $c8ef3 = $made(Text, $ceae0, [5000, true]);
 const $cc3a1 = $made(Entry, $cc442, ["description", $c8ef3, false, "", "", "description", ""]);
 const $c504b = ["bare", "rubber", "polyurethane", "ceramic"];
-const $c7d4c = $made(Choice, $ca793, [$c504b]);
+const $c620d = new Map([]);
+const $c7d4c = $made(Choice, $c322f, [$c504b, $c620d]);
 const $c5462 = $made(Entry, $cc442, ["surface", $c7d4c, false, "", "", "surface", ""]);
 const $c3f61 = $made(Limit, $cf70d, ["length", 0.0, 1.0, false, false]);
 const $cc797 = $made(Quantity, $cd20a, ["length", $c3f61]);
@@ -8374,7 +8482,8 @@ const $cabc1 = $made(Quantity, $cd20a, ["pressure", $cc576]);
 const $c76438 = $made(WordOr, $c6a10, ["rigid", $cabc1, Infinity]);
 const $c3f7b = $made(Entry, $cc442, ["compression_modulus", $c76438, false, "", "", "compression_modulus", ""]);
 const $c7017 = ["square", "strip"];
-const $cd99a = $made(Choice, $ca793, [$c7017]);
+const $cd181 = new Map([]);
+const $cd99a = $made(Choice, $c322f, [$c7017, $cd181]);
 const $c2e7f = $made(Entry, $cc442, ["shape", $cd99a, false, "", "", "shape", ""]);
 const $c318b = $made(Limit, $cf70d, ["length", 0.0001, 10.0, false, false]);
 const $ce3ab = $made(Quantity, $cd20a, ["length", $c318b]);
@@ -8390,7 +8499,7 @@ const $c09a5 = $made(Quantity, $cd20a, ["number", $cbc3c]);
 const $ced2e = $made(Entry, $cc442, ["contact_fraction", $c09a5, false, "", "", "contact_fraction", ""]);
 const $cc4be = [$c2e7f, $c4c96, $cbe53, $c03a0, $ced2e];
 const $c23e9 = new Map([["shape", $c2e7f], ["width", $c4c96], ["height", $cbe53], ["stiffening", $c03a0], ["contact_fraction", $ced2e]]);
-const $c52db = $made(tables$Table, $cc03e, [Block, $cc4be, $c23e9]);
+const $c52db = $made(tables$Table, $c38db, [Block, null, $cc4be, $c23e9]);
 const $c29e5 = $made(Entry, $cc442, ["block", $c52db, false, "", "", "block", ""]);
 const $c7180 = $made(Limit, $cf70d, ["wear_coefficient", 0.0, 1.0, false, false]);
 const $c4bc9 = $made(Quantity, $cd20a, ["wear_coefficient", $c7180]);
@@ -8420,7 +8529,7 @@ const $c8efb = $made(Rows, $ce552, [$c72ba, 2, 2]);
 const $cf24b = $made(Entry, $cc442, ["life_years", $c8efb, true, "", "", "life_years", ""]);
 const $cf727 = [$cfb57, $c0d77, $c236d, $c6221, $cf24b];
 const $c845c = new Map([["material", $cfb57], ["installation", $c0d77], ["currency", $c236d], ["area", $c6221], ["life_years", $cf24b]]);
-const $c5864 = $made(tables$Table, $cc03e, [Cost, $cf727, $c845c]);
+const $c5864 = $made(tables$Table, $c38db, [Cost, null, $cf727, $c845c]);
 const $c03097 = $made(Entry, $cc442, ["cost", $c5864, false, "", "", "cost", ""]);
 const $c540e = $made(Limit, $cf70d, ["speed", 0.0, Infinity, true, false]);
 const $c0a1c = $made(Quantity, $cd20a, ["speed", $c540e]);
@@ -8436,12 +8545,13 @@ const $c1304 = $made(Entry, $cc442, ["factor", $cbaec, true, "", "", "factor", "
 const $c60f2 = $made(Entry, $cc442, ["provenance", $cc542, true, "", "", "provenance", ""]);
 const $c6e0e = [$cf002, $c1304, $c60f2];
 const $c4d20 = new Map([["condition", $cf002], ["factor", $c1304], ["provenance", $c60f2]]);
-const $c49a9 = $made(tables$Table, $cc03e, [ConditionFactor, $c6e0e, $c4d20]);
+const $c49a9 = $made(tables$Table, $c38db, [ConditionFactor, null, $c6e0e, $c4d20]);
 const $c611f = $made(Rows, $ce552, [$c49a9, 0, 20]);
 const $c7315 = $made(Entry, $cc442, ["condition_factor", $c611f, false, "", "", "condition_factor", ""]);
 const $c3ebe = ["tag", "tables"];
 const $c94b3 = ["integral-log"];
-const $c646a = $made(Choice, $ca793, [$c94b3]);
+const $c9c59 = new Map([]);
+const $c646a = $made(Choice, $c322f, [$c94b3, $c9c59]);
 const $c813f2 = $made(Entry, $cc442, ["kind", $c646a, true, "", "", "kind", ""]);
 const $c3f7f = $made(Name, $c4a10, [60]);
 const $cb8a8 = $made(Entry, $cc442, ["condition", $c3f7f, false, "", "", "condition", ""]);
@@ -8473,10 +8583,11 @@ const $ca33f = $made(Text, $ceae0, [500, false]);
 const $ccb4a = $made(Entry, $cc442, ["misfit_accepted", $ca33f, false, "", "", "misfit_accepted", ""]);
 const $ca3d7 = [$c2c4e, $c13d7, $c6869, $c1e1b, $c7724, $c3ee7, $c838d, $c7094, $ccb4a];
 const $c2f5db = new Map([["parameters", $c2c4e], ["values", $c13d7], ["covariance", $c6869], ["residual_noise", $c1e1b], ["coverage_factor", $c7724], ["date", $c3ee7], ["method", $c838d], ["misfit", $c7094], ["misfit_accepted", $ccb4a]]);
-const $cb4b3 = $made(tables$Table, $cc03e, [Fit, $ca3d7, $c2f5db]);
+const $cb4b3 = $made(tables$Table, $c38db, [Fit, null, $ca3d7, $c2f5db]);
 const $c1057 = $made(Entry, $cc442, ["fit", $cb4b3, false, "", "", "fit", ""]);
 const $cc344 = ["lagging shear", "cover shear"];
-const $cdd6d = $made(Choice, $ca793, [$cc344]);
+const $c6641 = new Map([]);
+const $cdd6d = $made(Choice, $c322f, [$cc344, $c6641]);
 const $c5f64 = $made(Rows, $ce552, [$cdd6d, 0, 2]);
 const $caa9e = $made(Entry, $cc442, ["slip_includes", $c5f64, false, "", "", "slip_includes", ""]);
 const $c7d5b = $made(Limit, $cf70d, ["speed", 0.0, Infinity, true, false]);
@@ -8487,7 +8598,7 @@ const $cdb49 = $made(Rows, $ce552, [$cbaec, 2, 100]);
 const $c268e = $made(Entry, $cc442, ["factor", $cdb49, true, "", "", "factor", ""]);
 const $cb8ef = [$cc71d, $c268e, $c60f2];
 const $c6635 = new Map([["slip_speed", $cc71d], ["factor", $c268e], ["provenance", $c60f2]]);
-const $cd525 = $made(tables$Table, $cc03e, [FrictionFactor, $cb8ef, $c6635]);
+const $cd525 = $made(tables$Table, $c38db, [FrictionFactor, null, $cb8ef, $c6635]);
 const $cb813 = $made(Entry, $cc442, ["slip_speed_factor", $cd525, false, "", "", "slip_speed_factor", ""]);
 const $ce079 = $made(Limit, $cf70d, ["temperature", 0.0, Infinity, false, false]);
 const $cde95 = $made(Quantity, $cd20a, ["temperature", $ce079]);
@@ -8495,7 +8606,7 @@ const $c4703 = $made(Rows, $ce552, [$cde95, 2, 100]);
 const $c9fc6 = $made(Entry, $cc442, ["temperature", $c4703, true, "", "", "at", ""]);
 const $c5e32 = [$c9fc6, $c268e, $c60f2];
 const $ca296 = new Map([["temperature", $c9fc6], ["factor", $c268e], ["provenance", $c60f2]]);
-const $c50d3 = $made(tables$Table, $cc03e, [FrictionFactor, $c5e32, $ca296]);
+const $c50d3 = $made(tables$Table, $c38db, [FrictionFactor, null, $c5e32, $ca296]);
 const $c0aa1 = $made(Entry, $cc442, ["temperature_factor", $c50d3, false, "", "", "temperature_factor", ""]);
 const $cfb99 = $made(Entry, $cc442, ["notes", $cf44f, false, "", "", "notes", ""]);
 const $c81ea = $made(Limit, $cf70d, ["pressure", 0.0, 1000000000.0, true, false]);
@@ -8519,7 +8630,7 @@ const $c6a06 = $made(Entry, $cc442, ["post_peak_slope", $cdc43, false, "", "", "
 const $c7cb0 = $made(Entry, $cc442, ["residual_friction", $c47dc, false, "", "", "residual_friction", ""]);
 const $c276a = [$cc15e, $c3799, $c003d, $c6a06, $c7cb0];
 const $cda66 = new Map([["pressure", $cc15e], ["peak_friction", $c3799], ["peak_slip", $c003d], ["post_peak_slope", $c6a06], ["residual_friction", $c7cb0]]);
-const $c641b = $made(tables$Table, $cc03e, [null, $c276a, $cda66]);
+const $c641b = $made(tables$Table, $c38db, [null, null, $c276a, $cda66]);
 const $c551d = $made(Rows, $ce552, [$c641b, 1, 200]);
 const $c94d6 = $made(Entry, $cc442, ["knots", $c551d, false, "", "", "knots", ""]);
 const $cd02a = $made(Entry, $cc442, ["from", $c39ba, true, "", "", "from", ""]);
@@ -8531,7 +8642,7 @@ const $cb294 = $made(Entry, $cc442, ["post_peak_slope", $cd4c0, false, "", "", "
 const $cc1d4 = $made(Entry, $cc442, ["residual_friction", $cd4c0, false, "", "", "residual_friction", ""]);
 const $c06b0 = [$cd02a, $c4859, $c5430, $cb307, $cb294, $cc1d4];
 const $cff11 = new Map([["from", $cd02a], ["to", $c4859], ["A", $c5430], ["b", $cb307], ["post_peak_slope", $cb294], ["residual_friction", $cc1d4]]);
-const $c6745 = $made(tables$Table, $cc03e, [null, $c06b0, $cff11]);
+const $c6745 = $made(tables$Table, $c38db, [null, null, $c06b0, $cff11]);
 const $cf9cc2 = $made(Rows, $ce552, [$c6745, 1, 50]);
 const $c85eb = $made(Entry, $cc442, ["pieces", $cf9cc2, false, "", "", "pieces", ""]);
 const $c5bec = $made(Text, $ceae0, [20, false]);
@@ -8543,34 +8654,38 @@ const $c2620 = $made(Quantity, $cd20a, ["number", $ccc84]);
 const $cb6ac = $made(Entry, $cc442, ["continuity", $c2620, false, "", "", "continuity", ""]);
 const $cde4e = [$c813f2, $cb8a8, $cd10e, $ce384, $cca84, $c1057, $caa9e, $cb813, $c0aa1, $cfb99, $c9fcf, $c160f, $cb799, $c94d6, $c85eb, $cea5d, $cc488, $cb6ac];
 const $c3ac0 = new Map([["kind", $c813f2], ["condition", $cb8a8], ["provenance", $cd10e], ["condition_factor", $ce384], ["condition_source", $cca84], ["fit", $c1057], ["slip_includes", $caa9e], ["slip_speed_factor", $cb813], ["temperature_factor", $c0aa1], ["notes", $cfb99], ["tested_pressure", $c9fcf], ["tested_slip", $c160f], ["tested_slip_speed", $cb799], ["knots", $c94d6], ["pieces", $c85eb], ["slip_unit", $cea5d], ["pressure_unit", $cc488], ["continuity", $cb6ac]]);
-const $c5f9b = $made(tables$Table, $cc03e, [IntegralLog, $cde4e, $c3ac0]);
+const $c5f9b = $made(tables$Table, $c38db, [IntegralLog, null, $cde4e, $c3ac0]);
 const $cc85b = ["constant"];
-const $ca100 = $made(Choice, $ca793, [$cc85b]);
+const $c5f45 = new Map([]);
+const $ca100 = $made(Choice, $c322f, [$cc85b, $c5f45]);
 const $c4ce1 = $made(Entry, $cc442, ["kind", $ca100, true, "", "", "kind", ""]);
 const $c1993 = $made(Entry, $cc442, ["friction", $c47dc, true, "", "", "friction_coefficient", ""]);
 const $c0a43 = [$c4ce1, $cb8a8, $cd10e, $ce384, $cca84, $c1057, $caa9e, $cb813, $c0aa1, $cfb99, $c9fcf, $c160f, $cb799, $c1993];
 const $c6433 = new Map([["kind", $c4ce1], ["condition", $cb8a8], ["provenance", $cd10e], ["condition_factor", $ce384], ["condition_source", $cca84], ["fit", $c1057], ["slip_includes", $caa9e], ["slip_speed_factor", $cb813], ["temperature_factor", $c0aa1], ["notes", $cfb99], ["tested_pressure", $c9fcf], ["tested_slip", $c160f], ["tested_slip_speed", $cb799], ["friction", $c1993]]);
-const $cacce = $made(tables$Table, $cc03e, [Constant, $c0a43, $c6433]);
+const $cacce = $made(tables$Table, $c38db, [Constant, null, $c0a43, $c6433]);
 const $c152d = ["elastic-plastic"];
-const $c49c9 = $made(Choice, $ca793, [$c152d]);
+const $c46ee = new Map([]);
+const $c49c9 = $made(Choice, $c322f, [$c152d, $c46ee]);
 const $c84cb = $made(Entry, $cc442, ["kind", $c49c9, true, "", "", "kind", ""]);
 const $c5ab6 = $made(Limit, $cf70d, ["pressure_per_length", 0.0, 1000000000000000.0, true, false]);
 const $cdc00 = $made(Quantity, $cd20a, ["pressure_per_length", $c5ab6]);
 const $c8647 = $made(Entry, $cc442, ["stiffness", $cdc00, true, "", "", "stiffness", ""]);
 const $c797c = [$c84cb, $cb8a8, $cd10e, $ce384, $cca84, $c1057, $caa9e, $cb813, $c0aa1, $cfb99, $c9fcf, $c160f, $cb799, $c8647, $c1993];
 const $c1e9d = new Map([["kind", $c84cb], ["condition", $cb8a8], ["provenance", $cd10e], ["condition_factor", $ce384], ["condition_source", $cca84], ["fit", $c1057], ["slip_includes", $caa9e], ["slip_speed_factor", $cb813], ["temperature_factor", $c0aa1], ["notes", $cfb99], ["tested_pressure", $c9fcf], ["tested_slip", $c160f], ["tested_slip_speed", $cb799], ["stiffness", $c8647], ["friction", $c1993]]);
-const $c13aa = $made(tables$Table, $cc03e, [ElasticPlastic, $c797c, $c1e9d]);
+const $c13aa = $made(tables$Table, $c38db, [ElasticPlastic, null, $c797c, $c1e9d]);
 const $c5b99 = ["power"];
-const $c16e4 = $made(Choice, $ca793, [$c5b99]);
+const $cf5e5 = new Map([]);
+const $c16e4 = $made(Choice, $c322f, [$c5b99, $cf5e5]);
 const $ca02c = $made(Entry, $cc442, ["kind", $c16e4, true, "", "", "kind", ""]);
 const $c79e4 = $made(Entry, $cc442, ["friction", $c47dc, true, "", "", "friction_coefficient", ""]);
 const $c8dc8 = $made(Entry, $cc442, ["reference_pressure", $c39ba, true, "", "", "reference_pressure", ""]);
 const $c41b9 = $made(Entry, $cc442, ["exponent", $c72ba, true, "", "", "exponent", ""]);
 const $cc0a4 = [$ca02c, $cb8a8, $cd10e, $ce384, $cca84, $c1057, $caa9e, $cb813, $c0aa1, $cfb99, $c9fcf, $c160f, $cb799, $c79e4, $c8dc8, $c41b9];
 const $ca42f = new Map([["kind", $ca02c], ["condition", $cb8a8], ["provenance", $cd10e], ["condition_factor", $ce384], ["condition_source", $cca84], ["fit", $c1057], ["slip_includes", $caa9e], ["slip_speed_factor", $cb813], ["temperature_factor", $c0aa1], ["notes", $cfb99], ["tested_pressure", $c9fcf], ["tested_slip", $c160f], ["tested_slip_speed", $cb799], ["friction", $c79e4], ["reference_pressure", $c8dc8], ["exponent", $c41b9]]);
-const $ce558 = $made(tables$Table, $cc03e, [PressurePower, $cc0a4, $ca42f]);
+const $ce558 = $made(tables$Table, $c38db, [PressurePower, null, $cc0a4, $ca42f]);
 const $cb4ec = ["table"];
-const $cdb18 = $made(Choice, $ca793, [$cb4ec]);
+const $c4afd = new Map([]);
+const $cdb18 = $made(Choice, $c322f, [$cb4ec, $c4afd]);
 const $ce458 = $made(Entry, $cc442, ["kind", $cdb18, true, "", "", "kind", ""]);
 const $cd2e1 = $made(Limit, $cf70d, ["length", 0.0, 1.0, false, false]);
 const $c9271 = $made(Quantity, $cd20a, ["length", $cd2e1]);
@@ -8583,12 +8698,12 @@ const $cbcda = $made(Rows, $ce552, [$c819c, 2, 1000]);
 const $cae06 = $made(Entry, $cc442, ["friction", $cbcda, true, "", "", "values", ""]);
 const $ca57a = [$c9a39, $cae06];
 const $c6913 = new Map([["pressure", $c9a39], ["friction", $cae06]]);
-const $cc58e = $made(tables$Table, $cc03e, [null, $ca57a, $c6913]);
+const $cc58e = $made(tables$Table, $c38db, [null, null, $ca57a, $c6913]);
 const $cf471 = $made(Rows, $ce552, [$cc58e, 1, 200]);
 const $c63ba = $made(Entry, $cc442, ["rows", $cf471, true, "", "rows = [{ pressure = \"100 kPa\", friction = [0.0, 0.4, 0.5] }], a friction for each slip", "rows", ""]);
 const $c64e9 = [$ce458, $cb8a8, $cd10e, $ce384, $cca84, $c1057, $caa9e, $cb813, $c0aa1, $cfb99, $cb2cd, $c63ba];
 const $c1a55 = new Map([["kind", $ce458], ["condition", $cb8a8], ["provenance", $cd10e], ["condition_factor", $ce384], ["condition_source", $cca84], ["fit", $c1057], ["slip_includes", $caa9e], ["slip_speed_factor", $cb813], ["temperature_factor", $c0aa1], ["notes", $cfb99], ["slip", $cb2cd], ["rows", $c63ba]]);
-const $c4e17 = $made(tables$Table, $cc03e, [MeasuredTable, $c64e9, $c1a55]);
+const $c4e17 = $made(tables$Table, $c38db, [MeasuredTable, null, $c64e9, $c1a55]);
 const $c6696 = new Map([["integral-log", $c5f9b], ["constant", $cacce], ["elastic-plastic", $c13aa], ["power", $ce558], ["table", $c4e17]]);
 const $c4eae = $made(Variant, $c3ebe, ["kind", $c6696]);
 const $c2815 = $made(OneOrMore, $cf6b7, [$c4eae, 50]);
@@ -8596,7 +8711,7 @@ const $c8818 = $made(Entry, $cc442, ["law", $c2815, false, "", "", "law", ""]);
 const $c0a9d = $made(Entry, $cc442, ["notes", $cf44f, false, "", "", "notes", ""]);
 const $c82fd = [$cfab4, $c7e8f, $cd66f, $cc3a1, $c5462, $ca06f, $c99bb, $c3ae4, $c3f7b, $c29e5, $c2d43, $c3692, $c1d96, $c9f8f, $c03097, $c2480, $c2fb3, $c7315, $c8818, $c69c3, $c9b00, $c0a9d];
 const $c854f = new Map([["preset", $cfab4], ["name", $c7e8f], ["title", $cd66f], ["description", $cc3a1], ["surface", $c5462], ["thickness", $ca06f], ["elastic_modulus", $c99bb], ["shear_modulus", $c3ae4], ["compression_modulus", $c3f7b], ["block", $c29e5], ["wear_coefficient", $c2d43], ["belt_energy_share", $c3692], ["bond_strength", $c1d96], ["fatigue_limit", $c9f8f], ["cost", $c03097], ["slip_speed", $c2480], ["temperature", $c2fb3], ["condition_factor", $c7315], ["law", $c8818], ["provenance", $c69c3], ["sources", $c9b00], ["notes", $c0a9d]]);
-const $c74dd = $made(tables$Table, $cc03e, [Lagging, $c82fd, $c854f]);
+const $c74dd = $made(tables$Table, $c38db, [Lagging, null, $c82fd, $c854f]);
 const $c213c = $made(TextOr, $cea31, [$c0ecb, $c74dd]);
 const $c29a1 = $made(Entry, $cc442, ["lagging", $c213c, true, "", "lagging = \"diamond-rubber\"", "lagging", ""]);
 const $c4ee1 = $made(Entry, $cc442, ["condition", $c6e45, false, "", "", "condition", ""]);
@@ -8619,7 +8734,8 @@ const $cd03d = $made(Entry, $cc442, ["recovery", $c35bd, false, "", "", "recover
 const $c51e2 = $made(Quantity, $cd20a, ["length", $c2680]);
 const $c2278 = $made(Entry, $cc442, ["creep_limit", $c51e2, false, "", "", "creep_limit", ""]);
 const $ca867 = ["pulley", "carry"];
-const $cbced = $made(Choice, $ca793, [$ca867]);
+const $c174d = new Map([]);
+const $cbced = $made(Choice, $c322f, [$ca867, $c174d]);
 const $ce358 = $made(Entry, $cc442, ["side", $cbced, false, "", "", "side", ""]);
 const $c7194 = $made(Limit, $cf70d, ["mass", 0.0, 1000000.0, true, false]);
 const $c66cf = $made(Quantity, $cd20a, ["mass", $c7194]);
@@ -8641,11 +8757,12 @@ const $cd362 = $made(Limit, $cf70d, ["length", 0.0, Infinity, false, false]);
 const $cc52b = $made(Quantity, $cd20a, ["length", $cd362]);
 const $c3c8f = $made(Entry, $cc442, ["uncertainty", $cc52b, false, "", "", "uncertainty", ""]);
 const $c79e1 = ["radius", "diameter"];
-const $c36d5 = $made(Choice, $ca793, [$c79e1]);
+const $cb0f1 = new Map([]);
+const $c36d5 = $made(Choice, $c322f, [$c79e1, $cb0f1]);
 const $c043c = $made(Entry, $cc442, ["on", $c36d5, false, "", "", "on", ""]);
 const $c575e = [$cb6ae, $ce7bc, $ca868, $c3c8f, $c043c];
 const $cd5be = new Map([["rows", $cb6ae], ["crown", $ce7bc], ["factor", $ca868], ["uncertainty", $c3c8f], ["on", $c043c]]);
-const $c1a37 = $made(tables$Table, $cc03e, [null, $c575e, $cd5be]);
+const $c1a37 = $made(tables$Table, $c38db, [null, null, $c575e, $cd5be]);
 const $c670b = $made(TextOr, $cea31, [$c5e17, $c1a37]);
 const $c7d98 = $made(Profile, $c6a45, ["length", true, $c5e17, $c670b]);
 const $c4834 = $made(Entry, $cc442, ["shell_profile", $c7d98, false, "", "", "shell_profile", ""]);
@@ -8663,11 +8780,12 @@ const $c0749 = $made(Entry, $cc442, ["factor", $c4df7, false, "", "", "factor", 
 const $c3e3d = $made(Limit, $cf70d, ["length", 0.0, Infinity, false, false]);
 const $c7af9 = $made(Quantity, $cd20a, ["length", $c3e3d]);
 const $c52ae = $made(Entry, $cc442, ["uncertainty", $c7af9, false, "", "", "uncertainty", ""]);
-const $c7e9f = $made(Choice, $ca793, [$c79e1]);
+const $c29ffa = new Map([]);
+const $c7e9f = $made(Choice, $c322f, [$c79e1, $c29ffa]);
 const $cce85 = $made(Entry, $cc442, ["on", $c7e9f, false, "", "", "on", ""]);
 const $c1516 = [$cdfa3, $ca6dd, $c0749, $c52ae, $cce85];
 const $c5d84 = new Map([["rows", $cdfa3], ["crown", $ca6dd], ["factor", $c0749], ["uncertainty", $c52ae], ["on", $cce85]]);
-const $cc9ad = $made(tables$Table, $cc03e, [null, $c1516, $c5d84]);
+const $cc9ad = $made(tables$Table, $c38db, [null, null, $c1516, $c5d84]);
 const $c7ff2 = $made(TextOr, $cea31, [$c0746, $cc9ad]);
 const $c57d1 = $made(Profile, $c6a45, ["length", true, $c0746, $c7ff2]);
 const $cb05f = $made(Entry, $cc442, ["worn_depth", $c57d1, false, "", "", "worn_depth", ""]);
@@ -8685,11 +8803,12 @@ const $c8e0b = $made(Entry, $cc442, ["factor", $cf93e, false, "", "", "factor", 
 const $c6219 = $made(Limit, $cf70d, ["length", 0.0, Infinity, false, false]);
 const $c3b46 = $made(Quantity, $cd20a, ["length", $c6219]);
 const $c7ba1 = $made(Entry, $cc442, ["uncertainty", $c3b46, false, "", "", "uncertainty", ""]);
-const $ca143 = $made(Choice, $ca793, [$c79e1]);
+const $c42ac = new Map([]);
+const $ca143 = $made(Choice, $c322f, [$c79e1, $c42ac]);
 const $c438a = $made(Entry, $cc442, ["on", $ca143, false, "", "", "on", ""]);
 const $c4ced = [$cfc97, $c21c2, $c8e0b, $c7ba1, $c438a];
 const $c80c4 = new Map([["rows", $cfc97], ["crown", $c21c2], ["factor", $c8e0b], ["uncertainty", $c7ba1], ["on", $c438a]]);
-const $cadee = $made(tables$Table, $cc03e, [null, $c4ced, $c80c4]);
+const $cadee = $made(tables$Table, $c38db, [null, null, $c4ced, $c80c4]);
 const $ca6a5 = $made(TextOr, $cea31, [$cd0f7, $cadee]);
 const $ce754 = $made(Profile, $c6a45, ["length", true, $cd0f7, $ca6a5]);
 const $ca521 = $made(Entry, $cc442, ["build_up", $ce754, false, "", "", "build_up", ""]);
@@ -8715,21 +8834,23 @@ const $cbbb6 = $made(Quantity, $cd20a, ["force_per_width", $c4297]);
 const $ced4a = $made(Entry, $cc442, ["uncertainty", $cbbb6, false, "", "", "uncertainty", ""]);
 const $cc96a = [$c9e25, $cb2e0, $c6847, $ced4a];
 const $c8e0bb = new Map([["rows", $c9e25], ["crown", $cb2e0], ["factor", $c6847], ["uncertainty", $ced4a]]);
-const $cf68a = $made(tables$Table, $cc03e, [null, $cc96a, $c8e0bb]);
+const $cf68a = $made(tables$Table, $c38db, [null, null, $cc96a, $c8e0bb]);
 const $c1009 = $made(TextOr, $cea31, [$c0408, $cf68a]);
 const $c188d = $made(Profile, $c6a45, ["force_per_width", false, $c0408, $c1009]);
 const $c4f67 = $made(Entry, $cc442, ["entry_profile", $c188d, false, "", "", "entry_profile", ""]);
 const $ccca6 = ["pulley"];
-const $c3bba = $made(Choice, $ca793, [$ccca6]);
+const $c55ac = new Map([]);
+const $c3bba = $made(Choice, $c322f, [$ccca6, $c55ac]);
 const $cdfdd = $made(Entry, $cc442, ["kind", $c3bba, true, "", "", "kind", ""]);
 const $c29d2 = $made(Limit, $cf70d, ["length", 0.0, 100000.0, true, false]);
 const $cae66 = $made(Quantity, $cd20a, ["length", $c29d2]);
 const $c500d = $made(Entry, $cc442, ["distance", $cae66, true, "", "", "distance", ""]);
 const $c2f6d = [$cdfdd, $c500d];
 const $cf93c = new Map([["kind", $cdfdd], ["distance", $c500d]]);
-const $c5714 = $made(tables$Table, $cc03e, [GrippingPulley, $c2f6d, $cf93c]);
+const $c5714 = $made(tables$Table, $c38db, [GrippingPulley, null, $c2f6d, $cf93c]);
 const $cff7c = ["transition"];
-const $cc88c = $made(Choice, $ca793, [$cff7c]);
+const $c51af = new Map([]);
+const $cc88c = $made(Choice, $c322f, [$cff7c, $c51af]);
 const $c62db = $made(Entry, $cc442, ["kind", $cc88c, true, "", "", "kind", ""]);
 const $c96f8 = $made(Limit, $cf70d, ["length", 0.0, 1000.0, true, false]);
 const $c102e = $made(Quantity, $cd20a, ["length", $c96f8]);
@@ -8741,21 +8862,23 @@ const $c3fe0 = $made(Limit, $cf70d, ["length", 0.0, 100.0, false, false]);
 const $c97a4 = $made(Quantity, $cd20a, ["length", $c3fe0]);
 const $ce362 = $made(Entry, $cc442, ["centre_roll", $c97a4, true, "", "centre_roll = \"465 mm\"", "centre_roll", ""]);
 const $c8b63 = ["full", "half"];
-const $c0db5 = $made(Choice, $ca793, [$c8b63]);
+const $ca9ff = new Map([]);
+const $c0db5 = $made(Choice, $c322f, [$c8b63, $ca9ff]);
 const $c2eb3 = $made(Entry, $cc442, ["depth", $c0db5, false, "", "", "depth", ""]);
 const $c6143 = [$c62db, $cbb25, $c48bf, $ce362, $c2eb3];
 const $c7886 = new Map([["kind", $c62db], ["length", $cbb25], ["trough_angle", $c48bf], ["centre_roll", $ce362], ["depth", $c2eb3]]);
-const $c81e5 = $made(tables$Table, $cc03e, [Transition, $c6143, $c7886]);
+const $c81e5 = $made(tables$Table, $c38db, [Transition, null, $c6143, $c7886]);
 const $c7fda = new Map([["pulley", $c5714], ["transition", $c81e5]]);
 const $c5ba2 = $made(Variant, $c3ebe, ["kind", $c7fda]);
 const $c0177 = $made(WordOr, $c6a10, ["far", $c5ba2, null]);
 const $c62d1 = $made(Entry, $cc442, ["before", $c0177, false, "", "", "before", ""]);
 const $c4c897 = ["pulley"];
-const $c8b57 = $made(Choice, $ca793, [$c4c897]);
+const $c4659 = new Map([]);
+const $c8b57 = $made(Choice, $c322f, [$c4c897, $c4659]);
 const $cb41f = $made(Entry, $cc442, ["kind", $c8b57, true, "", "", "kind", ""]);
 const $c460e = [$cb41f, $c500d];
 const $c0cc5 = new Map([["kind", $cb41f], ["distance", $c500d]]);
-const $c7e5c = $made(tables$Table, $cc03e, [GrippingPulley, $c460e, $c0cc5]);
+const $c7e5c = $made(tables$Table, $c38db, [GrippingPulley, null, $c460e, $c0cc5]);
 const $caabd = new Map([["pulley", $c7e5c]]);
 const $c5263 = $made(Variant, $c3ebe, ["kind", $caabd]);
 const $c6fb1 = $made(WordOr, $c6a10, ["far", $c5263, null]);
@@ -8765,35 +8888,38 @@ const $cec8f = $made(Count, $c38c6, [4, 128]);
 const $c1b7e = $made(Entry, $cc442, ["strips", $cec8f, false, "", "", "strips", ""]);
 const $cb035 = [$c4834, $cb05f, $ca521, $ca5e0, $c2af9, $c4f67, $c62d1, $cc60d, $c1b7e];
 const $c0207 = new Map([["shell_profile", $c4834], ["worn_depth", $cb05f], ["build_up", $ca521], ["misalignment", $ca5e0], ["deflection", $c2af9], ["entry_profile", $c4f67], ["before", $c62d1], ["after", $cc60d], ["strips", $c1b7e]]);
-const $c7a37 = $made(tables$Table, $cc03e, [Across, $cb035, $c0207]);
+const $c7a37 = $made(tables$Table, $c38db, [Across, null, $cb035, $c0207]);
 const $c152a = $made(Entry, $cc442, ["across", $c7a37, false, "", "", "across", ""]);
 const $ce5d6 = $made(ByName, $cf6b7, [$cc542, 200]);
 const $c480f = $made(Entry, $cc442, ["sources", $ce5d6, false, "", "", "sources", ""]);
 const $c06ce = [$c0948, $c75c1, $ce003, $c65eb, $c29a1, $c4ee1, $c65de, $c5335, $c66ac, $c6209, $c012a, $c2929, $cd03d, $c2278, $ce358, $cb6e8, $c152a, $c480f];
 const $c2aac = new Map([["name", $c0948], ["diameter", $c75c1], ["wrap_angle", $ce003], ["belt_path", $c65eb], ["lagging", $c29a1], ["condition", $c4ee1], ["entry_tension", $c65de], ["exit_tension", $c5335], ["effective_tension", $c66ac], ["torque", $c6209], ["power", $c012a], ["overrun", $c2929], ["recovery", $cd03d], ["creep_limit", $c2278], ["side", $ce358], ["mass", $cb6e8], ["across", $c152a], ["sources", $c480f]]);
-const $c706c = $made(tables$Table, $cc03e, [Pulley, $c06ce, $c2aac]);
+const $c706c = $made(tables$Table, $c38db, [Pulley, null, $c06ce, $c2aac]);
 const $cb00b = $made(Rows, $ce552, [$c706c, 1, 10]);
 const $c2dd7 = $made(Entry, $cc442, ["pulley", $cb00b, true, "", "a [[pulley]] table for each pulley", "pulley", ""]);
 const $cffc2 = $made(ByName, $cf6b7, [$c74dd, 200]);
 const $c141c = $made(Entry, $cc442, ["lagging", $cffc2, false, "", "", "lagging", ""]);
+const $c51b7 = ["entry_tension", "exit_tension", "effective_tension", "torque", "power"];
+const $ca636 = new Misplaced($c51b7, "tensions of a load case belong to its pulleys", "Write pulley.NAME.{key}.");
 const $cb134 = $made(Name, $c4a10, [60]);
 const $ceb06 = $made(Entry, $cc442, ["name", $cb134, true, "", "name = \"start\"", "name", ""]);
 const $c5d1d = $made(Text, $ceae0, [1000, true]);
 const $c14dd = $made(Entry, $cc442, ["description", $c5d1d, false, "", "", "description", ""]);
 const $c93f5 = ["running", "starting", "braking"];
-const $cd051 = $made(Choice, $ca793, [$c93f5]);
+const $c87d8 = new Map([["stopping", "braking"]]);
+const $cd051 = $made(Choice, $c322f, [$c93f5, $c87d8]);
 const $c8d03 = $made(Entry, $cc442, ["kind", $cd051, false, "", "", "kind", ""]);
 const $cd64e = $made(Entry, $cc442, ["condition", $c6e45, false, "", "", "condition", ""]);
 const $c3230 = [$c65de, $c5335, $c66ac, $c6209, $c012a];
 const $c3c73 = new Map([["entry_tension", $c65de], ["exit_tension", $c5335], ["effective_tension", $c66ac], ["torque", $c6209], ["power", $c012a]]);
-const $c6810 = $made(tables$Table, $cc03e, [null, $c3230, $c3c73]);
+const $c6810 = $made(tables$Table, $c38db, [null, null, $c3230, $c3c73]);
 const $c732c = $made(ByName, $cf6b7, [$c6810, 200]);
 const $c7998 = $made(Entry, $cc442, ["pulley", $c732c, false, "", "", "pulley", ""]);
 const $cad0f = $made(Elsewhere, [], []);
 const $c2d88 = $made(Entry, $cc442, ["train", $cad0f, false, "", "", "train", ""]);
 const $cd494 = [$ceb06, $c14dd, $c8d03, $cd64e, $c7998, $c2d88];
 const $c6166 = new Map([["name", $ceb06], ["description", $c14dd], ["kind", $c8d03], ["condition", $cd64e], ["pulley", $c7998], ["train", $c2d88]]);
-const $c19cf = $made(tables$Table, $cc03e, [null, $cd494, $c6166]);
+const $c19cf = $made(tables$Table, $c38db, [null, $ca636, $cd494, $c6166]);
 const $c7e6d = $made(Rows, $ce552, [$c19cf, 1, 1000]);
 const $cf53e = $made(Entry, $cc442, ["load_case", $c7e6d, false, "", "", "load_case", ""]);
 const $c2266 = $made(Limit, $cf70d, ["length", 0.0, 100000.0, true, false]);
@@ -8848,14 +8974,16 @@ const $cb6bd = $made(Limit, $cf70d, ["length", 0.0, 100000.0, false, false]);
 const $c3dfe = $made(Quantity, $cd20a, ["length", $cb6bd]);
 const $c06b1 = $made(Entry, $cc442, ["take_up_distance", $c3dfe, false, "", "", "take_up_distance", ""]);
 const $c6846 = ["head", "tail"];
-const $c064b = $made(Choice, $ca793, [$c6846]);
+const $c315b = new Map([]);
+const $c064b = $made(Choice, $c322f, [$c6846, $c315b]);
 const $c0436 = $made(Entry, $cc442, ["drive_at", $c064b, false, "", "", "drive_at", ""]);
 const $cad59 = [$c0bda, $c8c18, $c41b1, $caa61, $c15e4, $c063d, $cd723, $c0638, $c88c4, $c1f89, $c7f2c, $c7693, $cb800, $ce950, $c88d6, $ca692, $ca3dc, $c06b1, $c0436];
 const $c2ccd = new Map([["length", $c0bda], ["lift", $c8c18], ["belt_mass", $c41b1], ["carry_idler_mass", $caa61], ["return_idler_mass", $c15e4], ["material_mass", $c063d], ["capacity", $cd723], ["friction_factor", $c0638], ["length_coefficient", $c88c4], ["secondary_resistance", $c1f89], ["special_resistance", $c7f2c], ["return_share", $c7693], ["start_factor", $cb800], ["start_time", $ce950], ["stop_time", $c88d6], ["take_up_tension", $ca692], ["counterweight", $ca3dc], ["take_up_distance", $c06b1], ["drive_at", $c0436]]);
-const $ce84a = $made(tables$Table, $cc03e, [Conveyor, $cad59, $c2ccd]);
+const $ce84a = $made(tables$Table, $c38db, [Conveyor, null, $cad59, $c2ccd]);
 const $c8364 = $made(Entry, $cc442, ["conveyor", $ce84a, false, "", "", "conveyor", ""]);
 const $c9cf4 = ["gravity", "winch", "fixed"];
-const $c0ee3 = $made(Choice, $ca793, [$c9cf4]);
+const $ce058 = new Map([]);
+const $c0ee3 = $made(Choice, $c322f, [$c9cf4, $ce058]);
 const $cbe79 = $made(Entry, $cc442, ["kind", $c0ee3, false, "", "", "kind", ""]);
 const $cf433 = $made(Limit, $cf70d, ["number", 0.01, 100.0, false, false]);
 const $c9556 = $made(Quantity, $cd20a, ["number", $cf433]);
@@ -8864,13 +8992,15 @@ const $c738f = $made(Name, $c4a10, [60]);
 const $c6aa5 = $made(Entry, $cc442, ["after", $c738f, false, "", "", "after", ""]);
 const $c72ee = [$cbe79, $c42f5, $c6aa5];
 const $c5fb0 = new Map([["kind", $cbe79], ["sheave_ratio", $c42f5], ["after", $c6aa5]]);
-const $c5ee3 = $made(tables$Table, $cc03e, [TakeUp, $c72ee, $c5fb0]);
+const $c5ee3 = $made(tables$Table, $c38db, [TakeUp, null, $c72ee, $c5fb0]);
 const $cdc1c = $made(Entry, $cc442, ["take_up", $c5ee3, false, "", "", "take_up", ""]);
 const $c6e6b = ["CEMA", "DIN 22101", "own", "none"];
-const $caffc = $made(Choice, $ca793, [$c6e6b]);
+const $cde9b = new Map([]);
+const $caffc = $made(Choice, $c322f, [$c6e6b, $cde9b]);
 const $c6984 = $made(Entry, $cc442, ["name", $caffc, false, "", "", "name", ""]);
 const $ceb6d = ["dry", "wet", "wet and dirty"];
-const $c8fd9 = $made(Choice, $ca793, [$ceb6d]);
+const $cc1c7 = new Map([]);
+const $c8fd9 = $made(Choice, $c322f, [$ceb6d, $cc1c7]);
 const $c76d6 = $made(Entry, $cc442, ["condition", $c8fd9, false, "", "", "condition", ""]);
 const $c724b = $made(Limit, $cf70d, ["number", 0.01, 2.0, false, false]);
 const $c4367 = $made(Quantity, $cd20a, ["number", $c724b]);
@@ -8882,7 +9012,7 @@ const $c227f = $made(Flag, [], []);
 const $cd316 = $made(Entry, $cc442, ["binding", $c227f, false, "", "", "binding", ""]);
 const $c676e = [$c6984, $c76d6, $ce53d, $c8c78, $cd316];
 const $c701e = new Map([["name", $c6984], ["condition", $c76d6], ["friction", $ce53d], ["start_factor", $c8c78], ["binding", $cd316]]);
-const $c4fae = $made(tables$Table, $cc03e, [DesignStandard, $c676e, $c701e]);
+const $c4fae = $made(tables$Table, $c38db, [DesignStandard, null, $c676e, $c701e]);
 const $c25c2 = $made(Entry, $cc442, ["design_standard", $c4fae, false, "", "", "standard", ""]);
 const $cfb9b = $made(Quantity, $cd20a, ["number", $c83ab]);
 const $c9675 = $made(Entry, $cc442, ["running", $cfb9b, false, "", "", "running", ""]);
@@ -8894,7 +9024,7 @@ const $c6acf = $made(Text, $ceae0, [500, false]);
 const $ce7fd = $made(Entry, $cc442, ["source", $c6acf, false, "", "", "source", ""]);
 const $cd086 = [$c9675, $c3177, $c6f8d, $ce7fd];
 const $c3ec2 = new Map([["running", $c9675], ["starting", $c3177], ["braking", $c6f8d], ["source", $ce7fd]]);
-const $c3715 = $made(tables$Table, $cc03e, [SafetyFactors, $cd086, $c3ec2]);
+const $c3715 = $made(tables$Table, $c38db, [SafetyFactors, null, $cd086, $c3ec2]);
 const $cdb8f = $made(Entry, $cc442, ["safety_factor", $c3715, false, "", "", "safety", ""]);
 const $c8124 = $made(Limit, $cf70d, ["length", 0.0, 100.0, true, false]);
 const $cd6ed = $made(Quantity, $cd20a, ["length", $c8124]);
@@ -8907,7 +9037,7 @@ const $cf084 = $made(Quantity, $cd20a, ["number", $c38da]);
 const $c1941 = $made(Entry, $cc442, ["share", $cf084, false, "", "", "share", ""]);
 const $c8410 = [$c9e56, $cd978, $c1941];
 const $c5121 = new Map([["idler_spacing", $c9e56], ["line_mass", $cd978], ["share", $c1941]]);
-const $c9f3b = $made(tables$Table, $cc03e, [Sag, $c8410, $c5121]);
+const $c9f3b = $made(tables$Table, $c38db, [Sag, null, $c8410, $c5121]);
 const $c490f = $made(Entry, $cc442, ["sag", $c9f3b, false, "", "", "sag", ""]);
 const $c72c0 = $made(Flag, [], []);
 const $c1441 = $made(Entry, $cc442, ["covered", $c72c0, false, "", "", "covered", ""]);
@@ -8917,7 +9047,7 @@ const $ce9c0 = $made(Elsewhere, [], []);
 const $cb32b = $made(Entry, $cc442, ["motion", $ce9c0, false, "", "", "motion", ""]);
 const $c4e7d = [$cb73a, $c34bd, $ce3f2, $cb10e, $c750b, $cfe86, $c2dd7, $c141c, $cf53e, $c8364, $cdc1c, $c25c2, $cdb8f, $c490f, $c1441, $cf4d4, $cb32b];
 const $c8d19 = new Map([["format", $cb73a], ["title", $c34bd], ["description", $ce3f2], ["creep_limit", $cb10e], ["condition", $c750b], ["belt", $cfe86], ["pulley", $c2dd7], ["lagging", $c141c], ["load_case", $cf53e], ["conveyor", $c8364], ["take_up", $cdc1c], ["design_standard", $c25c2], ["safety_factor", $cdb8f], ["sag", $c490f], ["covered", $c1441], ["train", $cf4d4], ["motion", $cb32b]]);
-const $cca53 = $made(tables$Table, $cc03e, [Drive, $c4e7d, $c8d19]);
+const $cca53 = $made(tables$Table, $c38db, [Drive, null, $c4e7d, $c8d19]);
 const $c2628 = ["name", "kind", "modulus", "rating", "least_pulley_diameter", "carcass"];
 const $c2a894 = new Map([["width", $c1da4], ["modulus", $c5a26], ["rating", $c4bc3], ["strength", $c3eaf], ["speed", $c45b0], ["momentary_factor", $cfb5f], ["least_pulley_diameter", $cbc30], ["largest_wrap_pressure", $cf3a1], ["in_plane_shear_stiffness", $cd676], ["pulley_cover", $cbe31], ["carry_cover", $ca3d0], ["carcass", $c9b33], ["thickness", $cbf1f], ["cover_shear_modulus", $c975b], ["cord_diameter", $c7e3d], ["cord_pitch", $c26ab], ["mass", $ce1b5]]);
 const $c2d22 = ["pulley_cover", "carry_cover", "carcass"];
@@ -9303,18 +9433,19 @@ const $c4bb9 = $made(SpeedList, [], []);
 const $cd0ab = $made(Entry, $cc442, ["speeds", $c4bb9, false, "", "", "speeds", ""]);
 const $cf30b = [$c8c7b, $cdeb8, $c3b23, $c1585, $c06e6, $c62e6, $cd0ab];
 const $cdccd = new Map([["entry_tension", $c8c7b], ["exit_tension", $cdeb8], ["effective_tension", $c3b23], ["power", $c1585], ["run", $c06e6], ["share", $c62e6], ["speeds", $cd0ab]]);
-const $c4c2c = $made(tables$Table, $cc03e, [null, $cf30b, $cdccd]);
+const $c4c2c = $made(tables$Table, $c38db, [null, null, $cf30b, $cdccd]);
 const $c78be = $made(Entry, $cc442, ["train", $c4c2c, false, "", "", "train", ""]);
 const $c70ae = [$ceb06, $c14dd, $c8d03, $cd64e, $c7998, $c78be];
 const $c1360 = new Map([["name", $ceb06], ["description", $c14dd], ["kind", $c8d03], ["condition", $cd64e], ["pulley", $c7998], ["train", $c78be]]);
-const $cc28d = $made(tables$Table, $cc03e, [null, $c70ae, $c1360]);
+const $cc28d = $made(tables$Table, $c38db, [null, $ca636, $c70ae, $c1360]);
 const $cc379 = $made(Rows, $ce552, [$cc28d, 1, 1000]);
 const $c7c86 = $made(Entry, $cc442, ["load_case", $cc379, false, "", "", "load_case", ""]);
 const $c4415 = $made(Quantity, $cd20a, ["length", $cd632]);
 const $c6fec = $made(Rows, $ce552, [$c4415, 1, 10]);
 const $c85cb = $made(Entry, $cc442, ["diameters", $c6fec, false, "", "", "diameters", ""]);
 const $ce961 = ["converter"];
-const $cf679 = $made(Choice, $ca793, [$ce961]);
+const $cef58 = new Map([]);
+const $cf679 = $made(Choice, $c322f, [$ce961, $cef58]);
 const $c33ea = $made(Entry, $cc442, ["kind", $cf679, true, "", "", "kind", ""]);
 const $c67e0 = $made(Limit, $cf70d, ["power", 0.0, 1000000000.0, true, false]);
 const $c9e10 = $made(Quantity, $cd20a, ["power", $c67e0]);
@@ -9326,8 +9457,8 @@ const $c2a89 = $made(Limit, $cf70d, ["number", 0.0, 10000.0, true, false]);
 const $c2a15 = $made(Quantity, $cd20a, ["number", $c2a89]);
 const $cfdcf = $made(Entry, $cc442, ["gear_ratio", $c2a15, false, "", "", "gear_ratio", ""]);
 const $ce03b = $made(Limit, $cf70d, ["number", 0.05, 1.0, false, false]);
-const $c315b = $made(Quantity, $cd20a, ["number", $ce03b]);
-const $c1481 = $made(Entry, $cc442, ["gear_efficiency", $c315b, false, "", "", "gear_efficiency", ""]);
+const $c315bb = $made(Quantity, $cd20a, ["number", $ce03b]);
+const $c1481 = $made(Entry, $cc442, ["gear_efficiency", $c315bb, false, "", "", "gear_efficiency", ""]);
 const $cf04b = $made(Limit, $cf70d, ["number", 0.05, 1.0, false, false]);
 const $cff58 = $made(Quantity, $cd20a, ["number", $cf04b]);
 const $c7c17 = $made(Entry, $cc442, ["motor_efficiency", $cff58, false, "", "", "motor_efficiency", ""]);
@@ -9347,9 +9478,10 @@ const $c4973 = $made(WordOr, $c6a10, ["rigid", $c2b95, Infinity]);
 const $cd819 = $made(Entry, $cc442, ["torque_limit", $c4973, false, "", "", "torque_limit", ""]);
 const $c008b = [$c33ea, $cfb66, $ca92d, $cfdcf, $c1481, $c7c17, $c9761, $ccf35, $c8590, $c7dbd, $cd819];
 const $ceb2f = new Map([["kind", $c33ea], ["rated_power", $cfb66], ["rated_speed", $ca92d], ["gear_ratio", $cfdcf], ["gear_efficiency", $c1481], ["motor_efficiency", $c7c17], ["count", $c9761], ["brakes", $ccf35], ["setting", $c8590], ["droop", $c7dbd], ["torque_limit", $cd819]]);
-const $cff0a = $made(tables$Table, $cc03e, [VariableSpeed, $c008b, $ceb2f]);
+const $cff0a = $made(tables$Table, $c38db, [VariableSpeed, null, $c008b, $ceb2f]);
 const $c552c = ["induction"];
-const $c7994 = $made(Choice, $ca793, [$c552c]);
+const $c9ea1 = new Map([]);
+const $c7994 = $made(Choice, $c322f, [$c552c, $c9ea1]);
 const $ce96a = $made(Entry, $cc442, ["kind", $c7994, true, "", "", "kind", ""]);
 const $c1fe6 = $made(Quantity, $cd20a, ["power", $c67e0]);
 const $c8340 = $made(Entry, $cc442, ["rated_power", $c1fe6, true, "", "", "rated_power", ""]);
@@ -9371,9 +9503,10 @@ const $c9a6a = $made(Quantity, $cd20a, ["number", $c8688]);
 const $c2dc3 = $made(Entry, $cc442, ["breakdown_ratio", $c9a6a, false, "", "", "breakdown_ratio", ""]);
 const $c292f = [$ce96a, $c8340, $c0dee, $cd486, $c9c8b, $c5400, $c9761, $cb3f9, $c888b, $c2dc3];
 const $c22d4 = new Map([["kind", $ce96a], ["rated_power", $c8340], ["rated_speed", $c0dee], ["gear_ratio", $cd486], ["gear_efficiency", $c9c8b], ["motor_efficiency", $c5400], ["count", $c9761], ["brakes", $cb3f9], ["synchronous_speed", $c888b], ["breakdown_ratio", $c2dc3]]);
-const $c23bf = $made(tables$Table, $cc03e, [Induction, $c292f, $c22d4]);
+const $c23bf = $made(tables$Table, $c38db, [Induction, null, $c292f, $c22d4]);
 const $cb454 = ["fluid-coupling"];
-const $cc915 = $made(Choice, $ca793, [$cb454]);
+const $c326a = new Map([]);
+const $cc915 = $made(Choice, $c322f, [$cb454, $c326a]);
 const $c2246 = $made(Entry, $cc442, ["kind", $cc915, true, "", "", "kind", ""]);
 const $ce3ea = $made(Quantity, $cd20a, ["power", $c67e0]);
 const $c97eb = $made(Entry, $cc442, ["rated_power", $ce3ea, true, "", "", "rated_power", ""]);
@@ -9398,9 +9531,10 @@ const $ce2c8 = $made(Entry, $cc442, ["coupling_load", $cc04f, true, "", "", "cou
 const $c30d4d = $made(Entry, $cc442, ["coupling_slip", $cc04f, true, "", "", "coupling_slip", ""]);
 const $cc970 = [$c2246, $c97eb, $c95d25, $cd017, $ceea5, $ccf84, $c9761, $c7a0e, $cf1c8, $cff62, $ce2c8, $c30d4d];
 const $c480a = new Map([["kind", $c2246], ["rated_power", $c97eb], ["rated_speed", $c95d25], ["gear_ratio", $cd017], ["gear_efficiency", $ceea5], ["motor_efficiency", $ccf84], ["count", $c9761], ["brakes", $c7a0e], ["synchronous_speed", $cf1c8], ["breakdown_ratio", $cff62], ["coupling_load", $ce2c8], ["coupling_slip", $c30d4d]]);
-const $c049a = $made(tables$Table, $cc03e, [FluidCoupling, $cc970, $c480a]);
+const $c049a = $made(tables$Table, $c38db, [FluidCoupling, null, $cc970, $c480a]);
 const $c65bf = ["follower"];
-const $cfee7 = $made(Choice, $ca793, [$c65bf]);
+const $c695f = new Map([]);
+const $cfee7 = $made(Choice, $c322f, [$c65bf, $c695f]);
 const $c5659 = $made(Entry, $cc442, ["kind", $cfee7, true, "", "", "kind", ""]);
 const $c0953 = $made(Name, $c4a10, [60]);
 const $c0871 = $made(Entry, $cc442, ["master", $c0953, true, "", "", "master", ""]);
@@ -9409,18 +9543,18 @@ const $cfc94 = $made(Quantity, $cd20a, ["number", $cc754]);
 const $cae8e = $made(Entry, $cc442, ["ratio", $cfc94, false, "", "", "ratio", ""]);
 const $c61d0 = [$c5659, $c0871, $cae8e];
 const $cea6d = new Map([["kind", $c5659], ["master", $c0871], ["ratio", $cae8e]]);
-const $c73b3 = $made(tables$Table, $cc03e, [TorqueFollower, $c61d0, $cea6d]);
+const $c73b3 = $made(tables$Table, $c38db, [TorqueFollower, null, $c61d0, $cea6d]);
 const $cc5ca = new Map([["converter", $cff0a], ["induction", $c23bf], ["fluid-coupling", $c049a], ["follower", $c73b3]]);
 const $ce9f3 = $made(Variant, $c3ebe, ["kind", $cc5ca]);
 const $cc7b5 = $made(ByName, $cf6b7, [$ce9f3, 200]);
 const $c0179 = $made(Entry, $cc442, ["motor", $cc7b5, false, "", "", "motor", ""]);
 const $ca64e = [$c8c7b, $cdeb8, $c3b23, $c1585, $c06e6, $c62e6, $cd0ab, $c85cb, $c0179];
 const $c408e = new Map([["entry_tension", $c8c7b], ["exit_tension", $cdeb8], ["effective_tension", $c3b23], ["power", $c1585], ["run", $c06e6], ["share", $c62e6], ["speeds", $cd0ab], ["diameters", $c85cb], ["motor", $c0179]]);
-const $c8384 = $made(tables$Table, $cc03e, [null, $ca64e, $c408e]);
+const $c8384 = $made(tables$Table, $c38db, [null, null, $ca64e, $c408e]);
 const $cf664 = $made(Entry, $cc442, ["train", $c8384, false, "", "", "train", ""]);
 const $ccce2 = [$cb73a, $c34bd, $ce3f2, $cb10e, $c750b, $cfe86, $c2dd7, $c141c, $c7c86, $c8364, $cdc1c, $c25c2, $cdb8f, $c490f, $c1441, $cf664, $cb32b];
 const $ca19c = new Map([["format", $cb73a], ["title", $c34bd], ["description", $ce3f2], ["creep_limit", $cb10e], ["condition", $c750b], ["belt", $cfe86], ["pulley", $c2dd7], ["lagging", $c141c], ["load_case", $c7c86], ["conveyor", $c8364], ["take_up", $cdc1c], ["design_standard", $c25c2], ["safety_factor", $cdb8f], ["sag", $c490f], ["covered", $c1441], ["train", $cf664], ["motion", $cb32b]]);
-const $c8e8b = $made(tables$Table, $cc03e, [Drive, $ccce2, $ca19c]);
+const $c8e8b = $made(tables$Table, $c38db, [Drive, null, $ccce2, $ca19c]);
 const $ca366 = $re("[A-Za-z0-9_-]{1,60}", "");
 const $cc303 = new Map([["The pulley transmits its load.", true], ["Gross slip: no creep gives enough friction for this tension ratio. Raise the slack-side tension (take-up), increase the wrap angle, or choose a lagging with more friction.", false], ["The solver did not reach its accuracy on this arc. Please report the drive file; until then change a value slightly.", false], ["The drives transmit the load.", true], ["Gross slip: a drive cannot transmit its share of the load. Raise the slack-side tension (take-up), bring the speeds closer together, or choose a lagging with more friction.", false], ["No operating point: a motor would have to work outside its curve. Change its set speed or gear, or choose another motor.", false], ["The solver did not reach its accuracy on this train. Please report the drive file; until then change a value slightly.", false]]);
 const $cf933 = new Map([["illustrative", "illustrative: it describes no real product"], ["calibrated", "calibrated: it was fitted to a known result"]]);
@@ -9460,6 +9594,10 @@ const $c5d85 = $made(Rule, $cc967, ["tested_slip_speed", "the slip speed tested"
 const $c0d6e = $made(Rule, $cc967, ["balance", "the energy balance", "INTERNAL ERROR", NaN, false, true, "number", "", false, null, "", null, null, null, null, null, of_arc___balance]);
 const $c8634 = $made(Rule, $cc967, ["sag", "the sag of the belt", "ATTENTION", NaN, false, false, "force", "raise", true, null, "", of_drive___slack_end, of_drive___sag_tension, null, null, of_drive___sag, null]);
 const $cedd5 = [$c960d, $cc27f, $c8a85, $cef26, $c2e75, $c8994, $c5c30, $c25bf, $c72eb, $ce298, $cb3d1, $cc16f, $cfecd, $cabd6, $c3f6d, $c5a91, $c5d85, $c0d6e, $c8634];
+const $c8c32 = ["running", "runs", "steady", "continuous", "downhill", "regenerative", "regenerating", "generating", "after", "before", "between", "no", "non", "not", "without", "released", "off"];
+const $cf0cb = ["start", "starts", "starting", "startup", "restart", "restarting", "acceleration", "accelerating"];
+const $c2607 = ["stop", "stops", "stopping", "estop", "brake", "brakes", "braking", "deceleration", "decelerating"];
+const $c626f = new Map([["starting", $cf0cb], ["braking", $c2607]]);
 const $ca865 = $made(Rule, $cc967, ["pulley_diameter", "the minimum pulley diameter of the belt", "FAILS", NaN, false, false, "length", "", true, null, "", of_drive___diameter, of_drive___least_diameter, null, null, of_drive___bending, null]);
 const $c35d3 = ["Transition", "GrippingPulley"];
 const $c347b = [1.0, 2.0];
@@ -9683,8 +9821,9 @@ const $c9375 = [$c88e7, $cd062, $c16b7, $c1654, $c069c, $cd73e, $c8dc3, $c465b, 
 const $c13e8 = $made(Rule, $cc967, ["belt_thickness", "a trim without the thickness of the belt", "ATTENTION", NaN, false, true, "number", "", false, null, "", null, null, null, null, null, null]);
 const $c75f4 = $made(Rule, $cc967, ["taut", "a belt that nowhere hangs slack", "ATTENTION", NaN, false, false, "number", "", true, null, "", null, null, null, null, null, null]);
 const $c9629 = $made(Rule, $cc967, ["usual_sizes", "an implausible input", "ATTENTION", NaN, false, true, "number", "", false, null, "", null, null, null, null, null, null]);
+const $c629d = $made(Rule, $cc967, ["case_kind", "the kind of a load case", "ATTENTION", NaN, false, true, "number", "", false, null, "", null, null, null, null, null, null]);
 const $c376b = $made(Rule, $cc967, ["motor_heat", "the heating limit of a motor", "ATTENTION", NaN, false, true, "time", "", true, null, "", null, null, null, null, null, null]);
-const $c1dc5 = new Map([["belt_thickness", $c13e8], ["gross_slip", $c84c4], ["design_standard", $c960d], ["creep", $cc27f], ["cover_creep", $c8a85], ["creep_interval", $cef26], ["wet_creep", $c2e75], ["belt_tension", $c8994], ["momentary_tension", $c5c30], ["belt_safety", $c25bf], ["face_pressure", $c72eb], ["bond_stress", $ce298], ["fatigue_stress", $cb3d1], ["tested_pressure_max", $cc16f], ["tested_pressure_min", $cfecd], ["condition", $cabd6], ["fit", $c3f6d], ["tested_slip", $c5a91], ["tested_slip_speed", $c5d85], ["balance", $c0d6e], ["sag", $c8634], ["taut", $c75f4], ["pulley_diameter", $ca865], ["usual_sizes", $c9629], ["motor_load", $c0dbc], ["momentary_load", $c58a5], ["motor_heat", $c376b], ["train_balance", $cb138]]);
+const $c1dc5 = new Map([["belt_thickness", $c13e8], ["gross_slip", $c84c4], ["design_standard", $c960d], ["creep", $cc27f], ["cover_creep", $c8a85], ["creep_interval", $cef26], ["wet_creep", $c2e75], ["belt_tension", $c8994], ["momentary_tension", $c5c30], ["belt_safety", $c25bf], ["face_pressure", $c72eb], ["bond_stress", $ce298], ["fatigue_stress", $cb3d1], ["tested_pressure_max", $cc16f], ["tested_pressure_min", $cfecd], ["condition", $cabd6], ["fit", $c3f6d], ["tested_slip", $c5a91], ["tested_slip_speed", $c5d85], ["balance", $c0d6e], ["sag", $c8634], ["taut", $c75f4], ["pulley_diameter", $ca865], ["usual_sizes", $c9629], ["case_kind", $c629d], ["motor_load", $c0dbc], ["momentary_load", $c58a5], ["motor_heat", $c376b], ["train_balance", $cb138]]);
 const $c80d9 = ["Value", "Limit", "Used", "Status"];
 const $c9028 = new Map([["distributed", "distributed"], ["paper", "paper's integration"]]);
 const $c450e = new WeakMap();
@@ -9756,7 +9895,20 @@ const $cdb8f1 = $made(Quantity, $cd20a, ["pressure", $cc04b]);
 const $c9aeb = $made(Entry, $cc442, ["fatigue_limit", $cdb8f1, false, "", "", "fatigue_limit", ""]);
 const $cc3b8 = [$cb73a, $cb374, $cd66f, $cc3a1, $c5462, $c98a2, $c6b4d, $ce5e5, $c8c8d, $c29e5, $cb25b, $c9e46, $c3531, $c9aeb, $c03097, $c2480, $c2fb3, $c7315, $c8818, $c69c3, $c9b00, $c0a9d];
 const $cec4e = new Map([["format", $cb73a], ["name", $cb374], ["title", $cd66f], ["description", $cc3a1], ["surface", $c5462], ["thickness", $c98a2], ["elastic_modulus", $c6b4d], ["shear_modulus", $ce5e5], ["compression_modulus", $c8c8d], ["block", $c29e5], ["wear_coefficient", $cb25b], ["belt_energy_share", $c9e46], ["bond_strength", $c3531], ["fatigue_limit", $c9aeb], ["cost", $c03097], ["slip_speed", $c2480], ["temperature", $c2fb3], ["condition_factor", $c7315], ["law", $c8818], ["provenance", $c69c3], ["sources", $c9b00], ["notes", $c0a9d]]);
-const $c904b = $made(tables$Table, $cc03e, [Lagging, $cc3b8, $cec4e]);
+const $c904b = $made(tables$Table, $c38db, [Lagging, null, $cc3b8, $cec4e]);
+const $c2a62 = ["belt", "train", "conveyor", "motion"];
+const $c7a99 = new FileKind("a drive file", "solve", $c2a62);
+const $c6c94 = ["candidates"];
+const $ccd15 = new FileKind("a choose file", "choose", $c6c94);
+const $c32d2 = ["axis", "sampling"];
+const $cb0c8 = new FileKind("a study file", "study", $c32d2);
+const $cea33 = ["rig", "test", "digitised"];
+const $c6274 = new FileKind("a test plan", "fit", $cea33);
+const $c2c05 = ["number", "record", "prior", "zero"];
+const $c90d1 = new FileKind("a calibrate file", "calibrate", $c2c05);
+const $c19c3 = ["law"];
+const $cb4d8 = new FileKind("a lagging file", "lagging", $c19c3);
+const $c0407 = new Map([["drive", $c7a99], ["choose", $ccd15], ["study", $cb0c8], ["plan", $c6274], ["calibrate", $c90d1], ["lagging", $cb4d8]]);
 const $cb919 = ["compression_modulus", "block", "replaced_block"];
 const $c3e4a = [$cb919];
 const $c31a8 = new Set(["belt_energy_share", "block", "bond_strength", "compression_modulus", "condition_factor", "cost", "elastic_modulus", "fatigue_limit", "law", "shear_modulus", "slip_speed", "temperature", "thickness", "wear_coefficient"]);
@@ -9808,6 +9960,7 @@ const $c9475 = [false, true];
 const $c7f7c = new Map([["polynomial", $ccbad], ["logarithmic", $c3044], ["power", $c7703], ["exponential", $c9475]]);
 const $c843e = $made(_OfClass, [], []);
 const $ca8ba = new Map([[10, null], [9, null]]);
+const $cdade = ["1", "0.1", "0.01", "0.001", "10"];
 const $c9234 = $re("(?:ST[ -]?|(?:\\b(?:EP|EE|NN|PN|NP|PP|EB)[ -]?|^)(?=\\d+/\\d))(\\d{3,5})\\b", "");
 const $c992e = [80.0, 1.92];
 const $c3a02 = [90.0, 1.86];
@@ -9982,6 +10135,7 @@ ConditionFactor.$compared = ConditionFactor.$names;
 ConditionFactor.LIMITS = ConditionFactor.prototype.LIMITS = $c6e1f0;
 FrictionFactor.$compared = FrictionFactor.$names;
 Fit.$compared = Fit.$names;
+FileKind.$compared = FileKind.$names;
 Induction.$compared = Induction.$names;
 Induction.LIMITS = Induction.prototype.LIMITS = $c19bc;
 FluidCoupling.$compared = FluidCoupling.$names;
@@ -9997,6 +10151,7 @@ Profile.words = Profile.prototype.words = "rows, or a table";
 $sig(_Pair, ["dimension"], false);
 GrippingPulley.$compared = GrippingPulley.$names;
 GrippingPulley.LIMITS = GrippingPulley.prototype.LIMITS = $cfa4c;
+Misplaced.$compared = Misplaced.$names;
 Either.$compared = Either.$names;
 SpeedList.$compared = SpeedList.$names;
 SpeedList.rows = SpeedList.prototype.rows = $cd950;

@@ -63,7 +63,7 @@ function arcFigures(arc, solved) {
   const n = { ...wholeArc()?.numbers, ...Object.fromEntries(quick) };
   const of = (/** @type {string} */ name) => {
     const value = dimensionOf(name) === "number" ? digits(n[name]) : shown(name, n[name]);
-    const late = LATE.includes(name) || !(name in arc.numbers);
+    const late = LATE.includes(name) || arc.numbers[name] == null;
     return { name: title(name), value, small: "", late, ...MORE[name]?.(n) };
   };
   const names = keyFigures("tiles").filter((k) => k !== "exit_creep");

@@ -15,7 +15,7 @@ const TALL = 128; // of one plot [px]
 const degrees = (v) => (v * 180) / Math.PI;
 
 /**
- * What is drawn beside the arc: the paper's integration if it is asked for, and an arc that was pinned.
+ * What is drawn beside the arc: the paper's integration if it is chosen, and a pinned arc.
  * @typedef {{name: string, numbers: QuickAnswer["numbers"],
  *   profile: QuickAnswer["profile"]}} Pinned
  */
