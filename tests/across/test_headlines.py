@@ -147,7 +147,7 @@ def test_wear_over_passes_is_wear_to_a_depth() -> None:
         ({}, "Give one of the two"),
         ({"depth": 1e-3, "passes": 5.0}, "Give one of the two"),
         ({"depth": -1e-3}, "must be more than 0"),
-        ({"passes": 1e5}, "needs a wear coefficient"),
+        ({"passes": 1e5}, "the lagging has no wear coefficient"),
     ],
 )
 def test_wear_of_nothing_is_refused(given: dict[str, float], says: str) -> None:

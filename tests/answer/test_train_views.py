@@ -33,7 +33,7 @@ def test_it_shows_its_drives() -> None:
     assert " of 6.35 mm (second, design). Wet Creep " in text
     assert "Data Friction, block, E_c illustrative; G estimated." in text
     full = tandem().full()
-    assert "Load case design: first carries 50 %, second carries 50 %." in full
+    assert "Load case design: first takes 50 %, second takes 50 %." in full
     for words in ("Drives: load case design", "Drives: load case empty", "extra creep ", "g - g1"):
         assert words in full
 

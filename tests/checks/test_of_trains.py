@@ -190,7 +190,7 @@ def test_a_drum_without_pull_is_not_driven(tmp_path: Path) -> None:
     path = tmp_path / "idle.toml"
     path.write_text(text, "utf-8")
     ran = wraparc("solve", path, "--full")
-    assert "first carries 100 %, second is not driven." in ran.words
+    assert "first takes 100 %, second is not driven." in ran.words
     assert "e-12 kW" not in ran.words
     assert ran.words.count("not driven") >= 4
 
@@ -232,7 +232,7 @@ def test_what_a_change_does_to_the_shares_is_seen(tmp_path: Path) -> None:
     text = TANDEM.read_text("utf-8").replace('share = ["50 %", "50 %"]', 'speeds = "equal"')
     path = tmp_path / "equal.toml"
     path.write_text(text, "utf-8")
-    ran = wraparc("what-if", path, "--pulley", "second", "--worn", "11 mm")
+    ran = wraparc("what-if", path, "--pulley", "second", "--worn", "11 mm", "--full")
     assert "the load divides anew" in ran.words
 
 

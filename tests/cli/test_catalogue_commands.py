@@ -24,7 +24,7 @@ def test_lagging_shows_law_coefficients_and_design_values() -> None:
     assert ran.code == 0
     assert "A [1/mm] b [1/mm] x_pk [mm] mu_pk m [1/mm] mu_res" in ran.words
     assert "207 kPa -0.07515 -0.28583 16.5 1.240 0 1.240" in ran.words
-    assert "CEMA 0.50 published [3], dimpled ceramic" in ran.words
+    assert "CEMA 0.5 published [3], dimpled ceramic" in ran.words
     assert "Illustrative: it describes no product." in ran.words
 
 
@@ -59,8 +59,8 @@ def test_lagging_draws(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("arguments", "sentence"),
     [
-        (["diamond-ruber"], ('Error: "diamond-ruber": the catalogue has no lagging of this '
-                             'name. Did you mean "diamond-rubber"?\n')),
+        (["diamond-ruber"], ('Error: the catalogue has no lagging of this name, '
+                             'got "diamond-ruber". Did you mean "diamond-rubber"?\n')),
         (["diamond-rubber", "--plot", "x.gif"], ("Error: --plot: must end in .svg or .png or "
                                                  '.pdf, got "x.gif". Write for example '
                                                  '"x.svg".\n')),

@@ -130,5 +130,6 @@ def test_the_command_goes_on_where_it_was(tmp_path: Path) -> None:
     bad = wraparc("run", FILE, "--quiet", "--parquet", str(tmp_path / "a.parquet"),
                   "--checkpoint", str(state))  # fmt: skip
     assert bad.code == 2
-    assert "only be written to a file of --csv" in bad.err
+    assert "--checkpoint: a run resumed later writes its rows to a CSV file" in bad.err
+    assert bad.err.endswith("Give --csv FILE.\n")
     assert len(first.splitlines()) == pytest.approx(22, abs=1)

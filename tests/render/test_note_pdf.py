@@ -127,7 +127,7 @@ def test_a_text_that_cannot_be_printed_is_refused(field: str, value: str) -> Non
 
 def test_letters_that_no_font_has_are_told(monkeypatch: pytest.MonkeyPatch) -> None:
     without_system_fonts(monkeypatch)
-    with pytest.raises(InputError, match="cannot be set as an accessible PDF") as caught:
+    with pytest.raises(InputError, match="no accessible PDF is possible") as caught:
         pdf(BOTH, NoteHead(title=f"drive {RARE}"))
     assert "choose .md" in str(caught.value)
 

@@ -403,7 +403,7 @@ def test_study_is_started_followed_shown_and_cancelled(visitor: Visitor) -> None
     # the share in the headline, of all draws; the picture has its limit as a labelled line
     headline = done.locator(".headline")
     expect(headline).to_contain_text(
-        re.compile(r"% of [\d,]+ designs exceed the creep limit of 6.35")
+        re.compile(r"% of [\d,]+ designs exceed the 6.35 mm creep limit")
     )
     spread = done.locator(".spread")
     expect(spread.locator("svg text", has_text="creep limit 6.35 mm")).to_be_visible()
