@@ -59,7 +59,7 @@ def test_a_study_varies_the_conveyor(folder: Path) -> None:
     import pyarrow.parquet as pq
 
     (folder / "study.toml").write_text(STUDY, "utf-8")
-    ran = wraparc("study", folder / "study.toml", "-o", folder / "a.parquet")
+    ran = wraparc("study", folder / "study.toml", "-o", folder / "a.parquet", "--full")
     assert ran.code == 0, ran.err
     rows = pq.read_table(folder / "a.parquet")["exit_creep"].to_pylist()
     assert rows == pytest.approx([creep(LESS), creep()], rel=1e-3)

@@ -58,8 +58,8 @@ def with_itself(case: Case, server: Any) -> Record | None:
     if row is None:
         return Record(refusal=(str(data["not_possible"]),))
     place = data["load_case"], data["pulley"]
-    cells = {"creep": "exit_creep", "peak_shear_stress": "peak_shear_stress"}
-    numbers = {(*place, name): number(row["cells"][key]["value"]) for key, name in cells.items()}
+    names = ("exit_creep", "peak_shear_stress")
+    numbers = {(*place, name): number(row["cells"][name]["value"]) for name in names}
     known = case.record.numbers
     creep = *place, "exit_creep"
     if known[creep] < 0.0:

@@ -443,10 +443,7 @@ def test_the_next_picture_keeps_the_points_of_the_last(page: Page) -> None:
     fit(page)
     for field, text in (
         ("digitised-source", "Say who published the figure."),
-        (
-            "fit-remove_shear",
-            "Write true if the slip of the figure includes",
-        ),
+        ("fit-remove_shear", "Does the slip of the figure include the sample's own shear?"),
     ):
         expect(page.locator(f"#t-{field}-e")).to_contain_text(text)
     say(page)
