@@ -205,7 +205,7 @@ def test_a_file_is_written_whole_or_not_at_all(
         with pytest.raises(InputError) as caught:
             save_drive(drive, file)
     assert str(caught.value) == (
-        f'cannot be written: No space left on device, got "{file}". Choose another place.'
+        f"{file}: cannot be written: No space left on device. Choose another place."
     )
     assert file.read_text() == "before"
     assert list(tmp_path.iterdir()) == [file]

@@ -58,7 +58,9 @@ def test_several_tables_say_which_was_read() -> None:
     assert len(record.travel) == 30
     assert "number 2, lines 8 to 37, was read" in record.notes[0]
     assert len(read_machine_bytes(data, "x", Choices(table=1)).travel) == 3
-    assert "the file has 2 tables" in problems(data, Choices(table=3))
+    assert "table: has 2 tables, got 3. Write a number from 1 to 2." in problems(
+        data, Choices(table=3)
+    )
 
 
 def test_marks_of_the_machine_are_dropped_with_their_line() -> None:
@@ -120,7 +122,9 @@ def test_a_workbook_with_the_data_on_another_sheet() -> None:
     record = read_machine_bytes(data, "book.xlsx")
     np.testing.assert_allclose(record.force, 2000.0 * np.arange(20))
     assert "'Raw'" in record.place
-    assert "the workbook has 'Cover', 'Raw'" in problems(data, Choices(sheet="raw"))
+    assert 'sheet: no such sheet, got "raw". Did you mean "Raw"?' in problems(
+        data, Choices(sheet="raw")
+    )
 
 
 def test_a_long_file_goes_the_quick_way_to_the_same_numbers() -> None:

@@ -295,7 +295,7 @@ def test_an_overrun_towards_travel_has_no_motion() -> None:
         (Constant(friction_coefficient=0.4), "creep in time is not unique on a rigid lagging"),
         (
             MeasuredTable(slip=(0.0, 1e-3, 2e-3), pressure=(1e5,), values=((0.0, 0.1, 0.5),)),
-            "the measured table is not concave from 0",
+            "the measured table must be concave from 0",
         ),
     ],
 )

@@ -104,7 +104,7 @@ def test_a_full_disk_keeps_the_state_and_says_so(
         ran = run(tmp_path, "--checkpoint", str(state))
     assert ran.code == 2
     assert ran.err == (
-        f'Error: "{tmp_path}/rows.csv.part": cannot be written: No space left on device. Make '
+        f"Error: {tmp_path}/rows.csv.part: cannot be written: No space left on device. Make "
         f"room: the same command goes on from {state}.\n"
     )
     assert sorted(p.name for p in tmp_path.iterdir()) == ["rows.csv.part", "run.npz"]
@@ -182,5 +182,5 @@ def test_two_runs_do_not_write_the_same_files(tmp_path: Path, taken: str) -> Non
     with alone(tmp_path / taken):
         ran = run(tmp_path, "--checkpoint", str(tmp_path / "run.npz"))
     assert ran.code == 2
-    assert f'"{tmp_path}/{taken}": another run is writing this file' in ran.err
+    assert f'another run is writing this file, got "{tmp_path}/{taken}".' in ran.err
     assert list(tmp_path.iterdir()) == []

@@ -51,7 +51,7 @@ def test_every_coloured_row_has_its_word_and_they_are_as_many_as_are_counted(
     kept = words.count("OK")
     assert f"- {kept} of {len(words)} checks pass.\n" in text
     results = text.partition("### All load cases and pulleys")[2].partition("###")[0]
-    for method in ("distributed", "paper's march"):
+    for method in ("distributed", "paper's integration"):
         marked = [line for line in results.splitlines() if line.endswith("| ATTENTION creep |")]
         assert [line[: line.index(" |", 2)] for line in marked if method in line] == [
             f"| design: head, {method}", f"| start: head, {method}",

@@ -113,7 +113,10 @@ def test_what_cannot_be_read_is_said_for_every_file(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("options", "sentence"),
     [
-        (["--unit", "Load"], "must be a column and its unit. Write for example --unit Load=N."),
+        (
+            ["--unit", "Load"],
+            'must be a column and its unit, got "Load". Write for example --unit Load=N.',
+        ),
         (
             ["--unit", "Extension=N"],
             """units['Extension']: contradicts "mm" in the file, got "N".""",
@@ -122,7 +125,7 @@ def test_what_cannot_be_read_is_said_for_every_file(tmp_path: Path) -> None:
         (["--travel", "Weg"], "Weg"),
         (["--travel", "99"], "99"),
         (["--table", "3"], "has 1 tables"),
-        (["--decimal", ","], "the file shows the other one"),
+        (["--decimal", ","], 'decimal: contradicts 0.00000 in the file, got ",".'),
         (["--delimiter", "space"], "no such delimiter"),
         (["--encoding", "ebcdic7"], "ebcdic7"),
     ],
@@ -213,7 +216,7 @@ def test_the_plan_is_not_written_over(tmp_path: Path) -> None:
     before = plan.read_bytes()
     ran = wraparc("fit", plan, "-o", plan)
     assert ran.code == 2
-    assert "would be written over" in ran.err
+    assert "must not be a file that is read" in ran.err
     assert plan.read_bytes() == before
 
 

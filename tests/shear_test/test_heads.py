@@ -161,7 +161,7 @@ def test_units_behind_an_underscore(head_row: str, factor: float) -> None:
 def test_a_stress_behind_an_underscore_is_asked_for_its_area() -> None:
     rows = "\n".join(f"{k * 0.5:.1f},{k * 0.2:.1f}" for k in range(20))
     text = problems(f"Disp_MM,shear_stress_mpa\n{rows}".encode())
-    assert "over which: --stress-area" in text
+    assert 'Add --force, or --stress-area for "shear_stress".' in text
     data = f"Disp_MM,shear_stress_mpa\n{rows}".encode()
     record = read_machine_bytes(data, "x", Choices(stress_area=1e-4))
     np.testing.assert_allclose(record.force, 100.0 * 0.2 * np.arange(20))

@@ -248,7 +248,7 @@ def test_friction_that_no_lagging_has_is_left_out_with_the_likely_slip(
     found = fitted(plan, {name: edit(name, record) for name, record in records.items()})
     (problem,) = found.left_out
     assert problem.key == "test[3]"
-    assert "outside the 0.02 to 3 that a test may reach" in problem.message
+    assert "is outside 0.02 to 3 (" in problem.message
     assert hint in problem.message
     # all of them: no law at all
     edit = times(factor, *records)

@@ -134,7 +134,7 @@ def test_a_plan_without_tests() -> None:
 
 
 def test_a_plan_that_is_not_there() -> None:
-    with pytest.raises(InputError, match="No such file"):
+    with pytest.raises(InputError, match="file not found"):
         load_plan("nowhere/plan.toml")
 
 

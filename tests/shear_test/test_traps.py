@@ -72,7 +72,7 @@ def test_columns_that_may_both_be_the_force_are_asked_for(names: tuple[str, str]
 def test_a_load_beside_a_coefficient_of_friction_is_asked_about() -> None:
     """It may be the normal force."""
     text = problems(table("Load [N];COF;Stroke [mm]", NORMAL, FORCE / NORMAL, TRAVEL).encode())
-    assert "'Load' and 'COF' may be" in text
+    assert 'Add --force with one of "Load" [N], "COF".' in text
     is_right(read(table("Fz [N];Load [N];COF;Stroke [mm]", NORMAL, FORCE, FORCE, TRAVEL)))
 
 

@@ -128,5 +128,5 @@ def test_wear_as_an_axis(tmp_path: Path) -> None:
 
 
 def test_an_axis_of_no_profile_is_told(tmp_path: Path) -> None:
-    with pytest.raises(InputError, match="no such field"):
+    with pytest.raises(InputError, match="no such drive field"):
         solved(tmp_path, axis("pulley.head.across.shell_profile.crwon", '"1 mm", "2 mm"'))

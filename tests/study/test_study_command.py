@@ -95,9 +95,9 @@ def test_a_dry_run_only_tells_the_size(tmp_path: Path) -> None:
         (["--scheduler", "tcp://127.0.0.1:1"], "no Dask scheduler answers there"),
         (["--set", "axis[2].median=-1"], "median: must be more than 0"),
         (["--set", "axis[2].field=belt.colour"], "no such drive field"),
-        (["-o", "no/such/a.parquet"], "there is no folder"),
-        (["-o", "a.xlsx"], "must be .parquet"),
-        (["--plot", "a.gif"], "must be .svg or .png or .pdf"),
+        (["-o", "no/such/a.parquet"], "its folder does not exist"),
+        (["-o", "a.xlsx"], "must end in .parquet"),
+        (["--plot", "a.gif"], "must end in .svg or .png or .pdf"),
     ],
 )
 def test_bad_input_is_told_before_any_work(

@@ -175,7 +175,7 @@ def test_a_wet_condition_of_a_covered_drive_is_refused() -> None:
 @pytest.mark.parametrize(
     ("field", "cases"),
     [
-        ("belt.width", ("start",)),  # 186 kN - 60 kN, where the design pulls 90 kN
+        ("belt.width", ("design",)),  # 90 kN; the start, 186 kN - 60 kN, is no running case
         ("pulley.head.exit_tension", ("design",)),  # only there
         ("load_case.start.pulley.head.exit_tension", ("start",)),
     ],

@@ -154,8 +154,8 @@ def test_a_full_disk_keeps_what_is_done(
 @pytest.mark.parametrize(
     ("name", "sentence"),
     [
-        ("no/such/folder/a.parquet", "there is no folder"),
-        ("a.csv", "must be .parquet"),
+        ("no/such/folder/a.parquet", "its folder does not exist"),
+        ("a.csv", "must end in .parquet"),
     ],
 )
 def test_a_path_that_cannot_be_written(tmp_path: Path, name: str, sentence: str) -> None:
@@ -169,7 +169,7 @@ def test_a_large_study_has_to_be_confirmed_with_its_number(tmp_path: Path) -> No
     for confirmed in (None, 1_599_999):
         with pytest.raises(InputError) as caught:
             run_study(study, tmp_path / "a.parquet", Run(confirmed_rows=confirmed))
-        assert "400,000 designs in 4 cases, more than 1,000,000 rows" in str(caught.value)
+        assert "rows: more than 1,000,000, up to 0.2 GB, got 1600000." in str(caught.value)
         assert "--confirm 1600000" in str(caught.value)
     assert (
         run_module.run_problems(study, tmp_path / "a.parquet", Run(confirmed_rows=1_600_000)) == []
