@@ -36,7 +36,7 @@ def test_what_was_there_survives_a_failure(tmp_path: Path, monkeypatch: pytest.M
     with pytest.raises(InputError) as caught:
         save_file(target, "new")
     assert str(caught.value) == (
-        f'cannot be written: No space left on device, got "{target}". Choose another place.'
+        f"{target}: cannot be written: No space left on device. Choose another place."
     )
     assert target.read_text("utf-8") == "old"
     assert list(tmp_path.iterdir()) == [target]

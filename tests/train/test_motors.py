@@ -111,5 +111,5 @@ def test_what_is_no_motor(make: Any, key: str, complaint: str) -> None:
 
 
 def test_a_part_of_a_motor_is_none() -> None:
-    with pytest.raises(InputError, match=r"count = 1.5: must be a whole number of motors"):
+    with pytest.raises(InputError, match=r"count: must be a whole number of motors, got 1\.5"):
         Induction(**MAINS, count=1.5)  # type: ignore[arg-type]

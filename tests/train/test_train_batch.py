@@ -278,7 +278,7 @@ FAULTS: dict[str, tuple[Any, str]] = {
     "p1.share": ([2.0, 0.5, math.inf], 'column "p1.share", row 2: must be between -100 and '
                                        "100, got inf."),
     "p3.wear": (1.0, 'column "p3.wear": no such column. Did you mean "p2.wear" or "p1.wear"?'),
-    "p1.run": (1.0, 'column "p1.run": the first pulley has no run before it. Write one of "b".'),
+    "p1.run": (1.0, 'column "p1.run": the first pulley has no run before it.'),
     "p2.speed_trim": ([1.0, 1.0], 'column "p2.speed_trim": must be one number or have 3 '
                                   "rows, got 2 rows."),
 }  # fmt: skip

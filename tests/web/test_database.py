@@ -220,7 +220,7 @@ def test_a_newer_database_is_refused(url: str) -> None:
     with engine.begin() as connection:
         connection.execute(text("UPDATE alembic_version SET version_num = '9999'"))
     engine.dispose()
-    with pytest.raises(InputError, match="newer version of wraparc"):
+    with pytest.raises(InputError, match="made by a newer wraparc"):
         open_engine(url, "designs")
 
 
