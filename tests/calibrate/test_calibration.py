@@ -340,7 +340,7 @@ def test_a_drive_that_does_not_follow_the_record_is_no_ok(tmp_path: Path) -> Non
         )
     good = wraparc("calibrate", str(folder / "wet-day-record.toml")).words
     assert "OK 1 parameter identified: friction factor" in good
-    ran = wraparc("calibrate", str(tmp_path / "wet-day-record.toml"))
+    ran = wraparc("calibrate", str(tmp_path / "wet-day-record.toml"), "--full")
     assert "ATTENTION Drive deviates from " in ran.words
     assert (
         "Shear angle of the lagging along the arc, design: the best fit misses it by" in ran.words

@@ -292,7 +292,7 @@ def test_what_is_no_test_is_refused() -> None:
     refused("the travel does not advance", travel=np.full(2000, 3e-3))
     refused("only 4 usable readings, minimum 10", travel=1e-3 * np.sin(np.arange(2000.0)))
     refused("the force is zero throughout", force=np.zeros(2000))
-    refused("there is no normal force", normal_force=None)
+    refused("has no normal force", normal_force=None)
     refused("the measured normal force is zero in places", normal_force=np.zeros(2000))
     refused("implausible travel", force=record.force * 1e9)
     refused(

@@ -116,13 +116,13 @@ def test_rows_are_those_of_the_solver_of_one(law: str) -> None:
 def test_what_cannot_be_is_told() -> None:
     with pytest.raises(InputError, match="side: needs carry_cover of the belt"):
         tandem(replace(FABRIC, pulley_cover=3e-3, carcass=6e-3), True)
-    with pytest.raises(InputError, match=r"presses on no pulley.*m v.2 = 90 kN"):
+    with pytest.raises(InputError, match=r"m v.2 = 90 kN of the belt exceeds its tension 50 kN"):
         tandem(replace(FABRIC, mass=10000.0))
     # rows of 20 kg/m: 200 kN at 100 m/s, 0.18 kN at 3 m/s
     of = tandem(replace(FABRIC, mass=20.0))
     for column, said in (
-        ({"belt_speed": [3.0, 100.0]}, r'"belt_speed", row 1 = 100 m/s: .* m v.2 = 200 kN'),
-        ({"exit_tension": [45e3, 100.0]}, r'"exit_tension", row 1 = 0.1 kN: .* 0.18 kN'),
+        ({"belt_speed": [3.0, 100.0]}, r'"belt_speed", row 1: .* m v.2 = 200 kN, .* got 100 m/s'),
+        ({"exit_tension": [45e3, 100.0]}, r'"exit_tension", row 1: .* 0.18 kN.* got 0.1 kN'),
     ):
         with pytest.raises(InputError, match=said):
             solve_train_batch(of, column, capacities=False)

@@ -273,7 +273,7 @@ class _Reader:
             name = "belt_speed" if (-1, "belt_speed") in self.columns else "exit_tension"
             told = display(float(whole[name][bad[0]]), OF_TRAIN[name].dimension)
             flung, there = (display(float(value[bad[0]]), "force") for value in (lift, least))
-            message = f"the belt presses on no pulley: m v^2 = {flung}, its least tension {there}"
+            message = f"the belt presses on no pulley: m v^2 = {flung}, its minimum tension {there}"
             self.problems.append(row_problem(name, bad.tolist(), told, message))
             self.good[bad] = False
 
