@@ -305,7 +305,7 @@ def test_an_error_beyond_what_was_stated_is_no_ok(tmp_path: Path) -> None:
     # The belt reads 4 mm thicker at the tension member, where 0.5 mm and 0.1 % are stated: 0.2 %
     # of the radius, of which 4 mm are five and more.
     text = ASK.replace("3.030", "3.0597") + ZERO.replace("3.060", "3.0903") + ERRORS
-    ran = wraparc("calibrate", asked(tmp_path, text))
+    ran = wraparc("calibrate", asked(tmp_path, text), "--full")
     assert "ATTENTION" in ran.words
     assert "Zero of the speed ratio: the best fit moves it by" in ran.words
 

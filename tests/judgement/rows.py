@@ -438,7 +438,7 @@ ROWS = (
         ("field",)),
     Row("levels of speed from a belt of unknown thickness", tensions("135 kN", "62 kN"),
         ("ATTENTION", "Normal speed difference up to 0.733 %",
-         "Give pulley_cover, carry_cover and carcass."),
+         "Give pulley_cover, carry_cover and carcass: "),
         ("OK",), ("field",)),
     Row("wet and dirty", (("format = 1", 'format = 1\ncondition = ["dry", "wet and dirty"]'),),
         ("diamond-rubber not tested wet and dirty: dry friction times 0.647 (",), ("OK",),
