@@ -160,7 +160,7 @@ def test_a_map_is_the_slow_answer(down: Axis, law: str, belt: Belt) -> None:
 
 def test_maps_refuse_what_tables_cannot_hold() -> None:
     x, y = np.linspace(0.99, 1.01, 5), np.linspace(0.5, 1.0, 5)
-    with pytest.raises(InputError, match="holds the belt without slip"):
+    with pytest.raises(InputError, match="no map for the law of lagging lagging, which sticks"):
         share_map(tandem("constant", overrun=0.0), x=x, y=y)
     with pytest.raises(InputError, match="both axes are speed_trim"):
         share_map(tandem(), x=x, y=x, down=Axis.TRIM)

@@ -80,7 +80,7 @@ def test_a_test_is_left_out_with_its_reason_and_taken_back(page: Page) -> None:
     page.get_by_role("checkbox", name=f"Use {name}").uncheck()
     why = page.get_by_role("textbox", name=f"Why not to use of {name}")
     page.get_by_role("button", name=FIT).click()
-    page.wait_for_selector("text=Say why the test is left out")
+    page.wait_for_selector("text=Write why the test is left out")
     why.fill("grease on the sample")
     why.press("Tab")
     fitted(page)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Literal, cast
 
 from wraparc.answer.arc_tables import belongs
 from wraparc.answer.catalogue_sheets import law_table
-from wraparc.answer.checks_table import checks_summary
+from wraparc.answer.checks_table import check_table, checks_summary
 from wraparc.answer.drive_sheet import drive_sheet
 from wraparc.answer.input_tables import input_tables
 from wraparc.answer.inputs import Input, drive_inputs
@@ -244,6 +244,7 @@ def compose_note(
         from wraparc.render.note_in_time import judged_with, section, told_with
 
         judged, told = judged_with(judged, in_time), told_with(told, in_time)
+        answer = _with_checks(answer, judged, of)
         in_time_sections = (Section("In time: events and vibrations", *section(in_time)),)
     worst = belongs(first.governing)
     sections = [
@@ -288,6 +289,12 @@ def _answer(results: Sequence[DriveResult], train: "TrainResult | None", of: Sou
     from wraparc.answer.train_sheet import train_sheet
 
     return train_sheet(train, pulleys=results, of=of)
+
+
+def _with_checks(answer: Sheet, judged: Judgement, of: Sources) -> Sheet:
+    """Return an answer with the table of all checks, those of events among them."""
+    tables = (check_table(judged, of, t.title) if t.name == "checks" else t for t in answer.tables)
+    return replace(answer, tables=tuple(tables))
 
 
 def _of(answer: Sheet, part: str) -> tuple[Table, ...]:

@@ -185,8 +185,7 @@ def _test(record: Record, position: int, common: Any, report: Report) -> Any:
             record.raw["normal_force"],
         )
     if record.get("use") is False and not record.get("reason", "").strip():
-        why = 'Write reason = "the sample had slipped in its clamp".'
-        report.add((*record.place, "reason"), "missing", why)
+        report.add((*record.place, "reason"), "missing", "Write why the test is left out.")
     said = {**common, **record}
     choices = {key: said[key] for key in _CHOICES if key in said}
     if "normal_force_column" in said:
