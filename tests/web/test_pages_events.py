@@ -147,7 +147,7 @@ def test_what_is_missing_is_told_at_its_field_and_can_be_filled_in(visitor: Visi
     page.select_option("#e-motion-drum-head-control-kind", "")
     page.click("#follow")
     mass = page.locator("#e-motion-conveyor_mass-e")
-    expect(mass).to_contain_text("a start or stop needs the mass that is moved")
+    expect(mass).to_contain_text("missing: starts and stops need it.")
     page.click("#undo")
     expect(page.locator("#e-motion-drum-head-control-kind")).to_have_value("speed-loop")
     page.fill(field, "")
