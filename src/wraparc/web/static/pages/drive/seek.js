@@ -22,7 +22,7 @@ import { answer } from "./solving.js";
 
 /** Results that can be wanted, the usual first. */
 const RESULTS = ["exit_creep", "creep_limit_margin", "peak_shear_stress", "peak_shear_angle"]
-  .concat(["exit_slip", "power_loss", "gross_slip_margin", "tested_slip_margin", "active_arc"])
+  .concat(["exit_slip", "power_loss", "gross_slip_safety", "tested_slip_margin", "active_arc"])
   .concat(["equivalent_friction", "least_exit_tension", "mean_friction", "wear_rate"]);
 const OF_PULLEY = ["wrap_angle", "diameter", "overrun"];
 const OF_BELT = ["width", "modulus", "speed"];
