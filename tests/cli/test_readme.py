@@ -57,7 +57,7 @@ def test_the_python_example_works(
     (code,) = blocks("python")
     exec(compile(code, "README.md", "exec"), {})  # noqa: S102 - our own text
     told = capsys.readouterr().out
-    assert re.match(r"creep 7\.5 mm, T2 at least 94\d\d\d N\nHead drive, ROM conveyor\n", told)
+    assert re.match(r"creep 7\.5 mm, minimum T2 94\d\d\d N\nHead drive, ROM conveyor\n", told)
     assert (tmp_path / "picture.svg").exists()
 
 

@@ -225,9 +225,8 @@ def followed_run(number: int) -> None:
     try:
         run = started(**numbers)
     except InputError as error:  # what it says to take instead starts
-        numbers["time"] = parse_quantity(
-            str(error).partition(". Take ")[2].split(" or ")[0], "time"
-        )
+        advised = str(error).partition(". Start in ")[2].partition(", or raise")[0]
+        numbers["time"] = parse_quantity(advised, "time")
         run = started(**numbers)
     for check in judge_run(run).missed:
         if "slower start" in check.action_text:
