@@ -126,7 +126,7 @@ def test_the_laboratorys_report_is_the_source_of_the_law(result: PlanResult) -> 
         (
             'reason = "the sample slipped in its clamp"',
             "",
-            "test[4].reason: missing. Write reason = ",
+            "test[4].reason: missing. Write why the test is left out.",
         ),
     ],
 )
