@@ -6,7 +6,7 @@ from wraparc.answer.choose_words import (
     closest_words,
     design_name,
     money,
-    next_dearer_words,
+    next_cost_words,
     reasons,
     saving_words,
     slack_words,
@@ -43,7 +43,7 @@ def choose_verdict(selection: Selection, lighter: LighterBelt | None) -> Verdict
     )
     sentences = [
         *unpriced_words(selection),
-        *next_dearer_words(selection),
+        *next_cost_words(selection),
         *saving_words(selection),
     ]
     if lighter is not None:

@@ -162,7 +162,7 @@ def _mass(search: Search, tension: float) -> str:
     return Cell(weight, "mass", RESULT_DIGITS, "up")
 
 
-def next_dearer_words(selection: Selection) -> Iterator[str]:
+def next_cost_words(selection: Selection) -> Iterator[str]:
     """Yield what the next dearer lagging would buy."""
     if not len(selection.ranking):
         return

@@ -253,15 +253,15 @@ def _verdict(result: StabilityResult, own: ControlAnswer) -> Verdict:
     station, run_out = result.linear.station, result.run_out
     amplitude = own.pull * run_out
     others = [c for c in result.controls if c.stable]
-    calmest = least(others, lambda c: max(c.pull, c.pull_third)) if others else None
+    smoothest = least(others, lambda c: max(c.pull, c.pull_third)) if others else None
     ways = " and ".join(dict.fromkeys(d.control.words for d in station.drums))
     said = named("exit_creep", run_out)
     cure = "None of the usual ways to drive it is calmer."
-    if calmest is not None and calmest is not own:
+    if smoothest is not None and smoothest is not own:
         cure = (
-            f"Of the usual ways to drive it, {calmest.name} has the smallest ripple: "
-            f"{percent(calmest.pull * run_out, 2)} of Te at one wave per revolution, "
-            f"{percent(calmest.pull_third * run_out, 2)} at three; {_cost(calmest)}."
+            f"Of the usual ways to drive it, {smoothest.name} has the smallest ripple: "
+            f"{percent(smoothest.pull * run_out, 2)} of Te at one wave per revolution, "
+            f"{percent(smoothest.pull_third * run_out, 2)} at three; {_cost(smoothest)}."
         )
     duty = result.linear.duties[-1]
     turn, last = duty.speed / (2.0 * math.pi), station.names[-1]
