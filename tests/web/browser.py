@@ -3,6 +3,7 @@
 import asyncio
 import contextlib
 import os
+import re
 import shutil
 from collections.abc import Awaitable, Callable, Iterator
 from functools import cache
@@ -147,6 +148,11 @@ TABS = {
     **dict.fromkeys(("compare", "study"), "choose"),
     "tests": "measure",
 }
+
+
+def unsigned(text: str) -> str:
+    """Return the text of a cell without the sign of its level."""
+    return re.sub("^[✓▲✕] ", "", text)
 
 
 def ask_now(page: Page) -> None:

@@ -16,7 +16,7 @@ from playwright.sync_api import Browser, Page, expect
 
 import site_pages
 from cli.running import wraparc
-from web.browser import Visitor, turn
+from web.browser import Visitor, turn, unsigned
 from web.calculators import wait_for
 from web.firefox import Firefox, firefox
 from web.test_case_loads import EMPTY_FIRST
@@ -174,7 +174,7 @@ def assert_shows_what_solve_says(page: Page, file: Path) -> str:
         sentences = page.locator(".governing li").all_inner_texts()
         assert sentences == [in_units(text, system) for text in (least, *found.full)]
         rows = page.locator("#drive .t-checks tbody tr").all_inner_texts()
-        shown = [re.sub("[✓▲✕] ", "", row).split("\t")[:5] for row in rows]  # without signs
+        shown = [[unsigned(cell) for cell in row.split("\t")[:5]] for row in rows]
         assert shown == [[r.title, *r.values] for r in shown_in(check_table(found), system).rows]
         carried = shown_in(carried_by, system)
         assert carried is not None
@@ -266,7 +266,7 @@ def assert_is_what_solve_says(browser: Firefox, file: Path, system: System) -> N
     sentences = [in_units(text, system) for text in (least_sentence(result), *verdict.full)]
     assert shown["sentences"] == sentences
     # the balance is what the search leaves, and each browser has an exponential of its own
-    told = [[re.sub("^[✓▲✕] ", "", cell) for cell in row] for row in shown["rows"]]
+    told = [[unsigned(cell) for cell in row] for row in shown["rows"]]
     rest = [row for row in told if "balance" not in row[0]]
     rows = shown_in(check_table(verdict), system).rows
     assert rest == [[r.title, *r.values] for r in rows if "balance" not in r.title]

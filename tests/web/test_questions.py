@@ -12,7 +12,7 @@ from playwright.sync_api import Locator, expect
 from starlette.testclient import TestClient
 
 from cli.running import wraparc
-from web.browser import Visitor
+from web.browser import Visitor, unsigned
 from web.calculators import API, client, document
 from web.test_pages_looks import violations
 from worded import worded
@@ -208,7 +208,7 @@ def test_a_choice_is_made_and_alarm_levels_stand_on_the_page(visitor: Visitor) -
 def cells(card: Locator) -> list[str]:
     """Return the values of a table, levels without their sign."""
     texts = card.locator("table").first.locator("td.num").all_inner_texts()
-    return [re.sub("^[✓▲✕] ", "", text) for text in texts]
+    return [unsigned(text) for text in texts]
 
 
 def test_wet_worn_and_bare_stand_side_by_side_on_the_page(visitor: Visitor) -> None:

@@ -14,7 +14,7 @@ import pytest
 from playwright.sync_api import Locator, expect
 
 from cli.running import wraparc
-from web.browser import Visitor, turn
+from web.browser import Visitor, turn, unsigned
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 HEAD = str(EXAMPLES / "head-drive-fabric.toml")
@@ -70,7 +70,7 @@ def cells(table: Locator) -> list[str]:
     """Return the numbers of a table, levels without their sign."""
     expect(table).to_be_attached()
     texts = [words(text) for text in table.locator("td.num").all_text_contents()]
-    return [re.sub("^[✓▲✕] ", "", text) for text in texts]
+    return [unsigned(text) for text in texts]
 
 
 def assert_told(numbers: list[str], out: str) -> None:
