@@ -76,7 +76,7 @@ def between(low: str, high: str, value: str) -> str:
             'colour = "black"',
             (
                 "belt.colour: unknown key. Write one of preset, name, kind, width, modulus, "
-                "rating and 16 more."
+                "elongation and 20 more."
             ),
         ),
         ('name = "head"', "", 'pulley[1].name: missing. Write name = "head".'),
@@ -134,7 +134,7 @@ def between(low: str, high: str, value: str) -> str:
             'Write the unit too, for example "150 kN".',
         ),
         # sizes
-        ('"1200 mm"', '"-1200 mm"', f"belt.width: {between('1 mm', '1000 m', '-1200 mm')}"),
+        ('"1200 mm"', '"-1200 mm"', f"belt.width: {between('1 mm', '10 m', '-1200 mm')}"),
         ('"800 mm"', '"0 mm"', f"pulley.head.diameter: {between('1 mm', '1000 m', '0 mm')}"),
         (
             '"3 m/s"',
@@ -180,7 +180,7 @@ def between(low: str, high: str, value: str) -> str:
         (
             'preset = "Plylon Plus 1000/4"',
             "",
-            'belt.modulus: missing. Write modulus = "12960 kN/m", or choose a belt by preset.',
+            'belt.modulus: missing. Write modulus = "12960 kN/m" or preset = "EP 630/3".',
         ),
         (
             "diamond-rubber",

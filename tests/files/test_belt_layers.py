@@ -263,7 +263,7 @@ def test_layers_are_told_beside_another_fault_of_the_belt(odd: str) -> None:
         ('thickness = "1e400 mm"', "", "not a finite number"),
         ('mass = "20 kg"', "", "a mass, where a mass per length is needed"),
         ('mass = "inf kg/m"', "", "not a finite number"),
-        ('mass = "45 lb/ft"', "", "a force per width, where a mass per length is needed"),
+        ('mass = "45 lbf/ft"', "", "a force per width, where a mass per length is needed"),
         ('cover_shear_modulus = "0 MPa"', "", "between 100 kPa and 100 MPa"),
         ("", 'side = "Carry"', 'Did you mean "carry"?'),
         ("", 'side = ["carry"]', 'must be one of "pulley", "carry"'),

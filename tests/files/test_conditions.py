@@ -15,6 +15,8 @@ from wraparc.files import drive_from_text, drive_text
 from wraparc.train import Train, solve_train
 from wraparc.train.file import load_drive_or_train
 
+pytestmark = pytest.mark.usefixtures("solved_once")
+
 SEVERAL = 'condition = ["dry", "wet"]\n' + DRIVE
 WET = 'condition = "wet"\n' + DRIVE
 DUSTY = 'condition = { name = "dusty", friction_factor = 0.7 }\n' + DRIVE
@@ -64,7 +66,7 @@ def test_a_scaled_law_asks_for_attention_with_the_source_of_its_factor() -> None
     assert check.text == (
         "diamond-rubber not tested wet: dry friction times 0.824 used (head, design)."
     )
-    assert check.action_text == "Test the lagging wet."
+    assert check.action_text == "Test lagging diamond-rubber wet."
     assert check.full_text.startswith("Source of the factor: published: DIN 22101 by works that ")
     assert check in verdict.missed
     assert verdict.data.text.startswith("Friction, block, E_c illustrative; "), (

@@ -86,6 +86,11 @@ def test_a_file_that_is_not_there_is_not_there(tmp_path: Path) -> None:
     assert "this is" not in wraparc("read", tmp_path / "none.toml").err
 
 
+#: A drive whose tensions are all in load cases.
+WITHOUT = "".join(
+    line for line in DRIVE.partition("[[load_case]]")[0].splitlines(keepends=True)
+    if not line.startswith(("entry_tension", "exit_tension", "effective_tension"))
+)  # fmt: skip
 CASE = '[[load_case]]\nname = "start"\nkind = "starting"\n'
 SLIPS = {
     "[pulley]": (
@@ -99,12 +104,18 @@ SLIPS = {
     "tensions in a load case": (
         f'{DRIVE}{CASE}entry_tension = "180 kN"\nexit_tension = "60 kN"\n',
         "load_case.start.entry_tension", "tensions of a load case belong to its pulleys",
-        "Write pulley.NAME.entry_tension.",
+        "Write pulley.head.entry_tension in the load case.",
     ),
     "a pull in a load case": (
         f'{DRIVE}{CASE}power = "180 kW"\n',
         "load_case.start.power", "tensions of a load case belong to its pulleys",
-        "Write pulley.NAME.power.",
+        "Write pulley.head.power in the load case.",
+    ),
+    "tensions in every load case of a print-out": (
+        f'{WITHOUT}{CASE}entry_tension = "180 kN"\nexit_tension = "60 kN"\n'
+        '[[load_case]]\nname = "full"\nentry_tension = "1,500 kN"\nexit_tension = "60 kN"\n',
+        "load_case.start.entry_tension", "tensions of a load case belong to its pulleys",
+        "Write pulley.head.entry_tension in the load case.",
     ),
 }  # fmt: skip
 

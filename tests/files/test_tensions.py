@@ -257,7 +257,7 @@ def test_a_third_quantity_in_a_load_case() -> None:
     assert complaints(text) == [
         (
             "drive.toml: load_case.empty.pulley.p1: power makes 30 kN, the tensions 90 kN. Give "
-            "two of them in the load case."
+            "two of entry_tension, exit_tension, power in the load case."
         )
     ]
 

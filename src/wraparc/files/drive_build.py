@@ -4,6 +4,8 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 from wraparc import catalogue
+from wraparc.catalogue.belt_modulus import STATIC
+from wraparc.catalogue.standard_belts import modulus_problem, standard_belt
 from wraparc.conveyor import Point, wrap_angle
 from wraparc.conveyor.keys import POINT_KEYS
 from wraparc.drive import (
@@ -13,9 +15,11 @@ from wraparc.drive import (
     Pulley,
     Sag,
 )
-from wraparc.drive.belt import LAYERS, THICKNESS
+from wraparc.drive.belt import LAYERS, THICKNESS, UNCERTAIN_OF_BELT
 from wraparc.drive.belt_mass import layer_mass, layer_source
+from wraparc.drive.changes import BELT_KEYS, belt_sources
 from wraparc.drive.drive import flying_problems, side_problems
+from wraparc.drive.pulley import UNCERTAIN_OF_PULLEY
 from wraparc.errors import InputError, Problem
 from wraparc.files.across_keys import build_across
 from wraparc.files.conditions import Conditions, at_its_place, condition_of
@@ -27,9 +31,11 @@ from wraparc.provenance import Provenance
 from wraparc.schema.origins import own_provenance, read_sources
 from wraparc.schema.problems import Place, Report
 from wraparc.schema.tables import Record
+from wraparc.schema.uncertain import read_uncertainty
 
 _FROM_PATH = Provenance(note="from the coordinates of the pulleys")
-_PRESET_KEYS = ("name", "kind", "modulus", "rating", "least_pulley_diameter", "carcass")
+_PRESET_KEYS = ("name", *BELT_KEYS)
+_MODULUS_KEYS = ("modulus_test", "modulus_loads", "modulus_ends")
 # Keys of a lagging that hold numbers.
 _NUMBERS = {e.key for e in LAGGING_GIVEN.entries} - {
     "preset", "name", "title", "description", "surface", "notes", "sources", "provenance",
@@ -45,31 +51,43 @@ def build_belt(record: Record, report: Report) -> Belt | None:
     wrong with it is told as well, see `report_together`.
     """
     sources = read_sources(record, (e.key for e in BELT.entries), report)
+    uncertainty = read_uncertainty(record, UNCERTAIN_OF_BELT, report)
     own = own_provenance(record, report) or Provenance()
     more: dict[str, Any] = {"name": "belt", "provenance": own}
-    if "preset" in record:
-        place = (*record.place, "preset")
-        preset = report.tried(lambda: catalogue.belt(record["preset"]), place, record["preset"])
-        if preset is None:
-            return None
-        more = {key: getattr(preset, key) for key in (*_PRESET_KEYS, "provenance")}
-        published = preset.sources
-        if "thickness" in record:  # the carcass is what the covers leave of it
-            more, published = {**more, "carcass": None}, {}
-        mass = _preset_mass(record, preset)
+    named = _named_belt(record, report)
+    unnamed = "modulus" not in record and not record.sound("name", "preset")
+    if named is None and ("preset" in record or unnamed):
+        return None
+    if named is not None:
+        more = {key: getattr(named, key) for key in (*_PRESET_KEYS, "provenance")}
+        if "modulus" in record:  # how that of the maker was measured says nothing of it
+            more = {key: value for key, value in more.items() if key not in _MODULUS_KEYS}
+        published = belt_sources(named)
+        if "thickness" in record or "cord_diameter" in record:  # the carcass follows from them
+            more, published = {**more, "carcass": None}, _without(published, "carcass")
+        mass = _preset_mass(record, named)
         if mass is not None:
-            more, published = {**more, "mass": mass}, published | {"mass": layer_source(preset)}
+            more, published = {**more, "mass": mass}, published | {"mass": layer_source(named)}
         sources = published | {key: own for key in Belt.LIMITS if key in record} | sources
-    elif "modulus" not in record and record.sound("modulus"):
-        remedy = 'Write modulus = "12960 kN/m", or choose a belt by preset.'
-        if record.sound("preset"):
-            report.add((*record.place, "modulus"), "missing", remedy)
+    if "elongation" in record:
+        by_elongation = _modulus_of_elongation(record, more, report)
+        if by_elongation is None:
+            return None
+        more |= by_elongation
+        note = f"by elongation, {record['elongation']}"
+        sources = {**sources, "modulus": Provenance(note=note)}
+    elif not {"modulus"} & {*more, *record} and record.sound("modulus", "elongation"):
+        remedy = 'Write modulus = "12960 kN/m" or preset = "EP 630/3".'
+        report.add((*record.place, "modulus"), "missing", remedy)
         return None
     more = {key: v for key, v in more.items() if key == "provenance" or key not in record}
-    built: Belt | None = BELT.built(record, report, sources=sources, **more)
-    if built is not None or not record.sound("width", "modulus"):
+    origins = {"sources": sources, "uncertainty": uncertainty}
+    built: Belt | None = BELT.built(record, report, **origins, **more)
+    known = "modulus" in more or "modulus" in record
+    if built is not None or not (known and record.sound("width", "modulus")):
         return built
-    sound = Record(dict(record), record.place, record.raw)
+    values = {key: value for key, value in record.items() if key not in record.faulty}
+    sound = Record(values, record.place, record.raw)
     # what its layers have wrong together, where another number of it is at fault
     layers = report if not record.sound() and record.sound(*LAYERS, THICKNESS) else Report()
     built = BELT.built(sound, layers, sources={}, **more)
@@ -77,12 +95,69 @@ def build_belt(record: Record, report: Report) -> Belt | None:
     return built or BELT.built(sound, Report(), sources={}, **more)
 
 
-def _preset_mass(record: Record, preset: catalogue.CatalogueBelt) -> float | None:
-    """Return the mass of a preset with covers of one's own [kg/m], None where it is not known."""
-    known = all(key in record for key in ("width", "pulley_cover", "carry_cover"))
-    if not known or "carcass" in record or "mass" in record:
+def _without(sources: dict[str, Provenance], key: str) -> dict[str, Provenance]:
+    return {name: of for name, of in sources.items() if name != key}
+
+
+def _named_belt(record: Record, report: Report) -> catalogue.CatalogueBelt | None:
+    """Return the belt that a table names by ``preset``, or by a standard name alone.
+
+    A standard ``name`` beside a modulus is a name and nothing more: the belt is then described by
+    its own keys.
+    """
+    stated = "modulus" in record or "elongation" in record
+    if "preset" in record:
+        place, name = (*record.place, "preset"), record["preset"]
+        return report.tried(lambda: catalogue.belt(name, with_modulus=not stated), place, name)
+    if "modulus" in record or "name" not in record or not record.sound("modulus", "elongation"):
         return None
-    return layer_mass(preset, record["width"], record["pulley_cover"], record["carry_cover"])
+    place, name = (*record.place, "name"), record["name"]
+    before = len(report.problems)
+    found = report.tried(lambda: standard_belt(name), place, name)
+    problem = None if found is None or stated else modulus_problem(found)
+    if problem is not None:
+        report.add(place, problem.message, problem.remedy, name)
+    if len(report.problems) > before:
+        record.faulty.add("name")
+        return None
+    return found
+
+
+def _modulus_of_elongation(
+    record: Record, named: Mapping[str, Any], report: Report
+) -> dict[str, Any] | None:
+    """Return the modulus by the elongation at a share of the strength, and how it was measured.
+
+    M = (share x strength)/elongation [N/m] of a first stretch; None after reporting.
+    """
+    place = (*record.place, "elongation")
+    if "modulus" in record:
+        report.add(place, "modulus gives it already", "Leave one of them out.")
+        return None
+    strength = record.get("strength", named.get("strength"))
+    if strength is None:
+        remedy = 'Write strength = "630 kN/m", or name the belt EP 630/3.'
+        if record.sound("strength"):
+            report.add(place, "needs the strength of the belt", remedy)
+        return None
+    of = record["elongation"]
+    return {
+        "modulus": of.share * strength / of.strain,
+        "modulus_test": STATIC,
+        "modulus_loads": (0.0, of.share),
+        "modulus_ends": None,
+    }
+
+
+def _preset_mass(record: Record, preset: catalogue.CatalogueBelt) -> float | None:
+    """Return the mass of a preset with known covers [kg/m], None where it is not known."""
+    pulley, carry = (
+        record.get(key, getattr(preset, key)) for key in ("pulley_cover", "carry_cover")
+    )
+    own = {"carcass", "cord_diameter", "mass"} & {*record}
+    if "width" not in record or pulley is None or carry is None or own:
+        return None
+    return layer_mass(preset, record["width"], pulley, carry)
 
 
 def report_together(
@@ -226,6 +301,7 @@ def build_pulley(
 ) -> Pulley | None:
     """Return the pulley of a ``[[pulley]]`` table, or None after reporting."""
     sources = read_sources(record, (e.key for e in PULLEY.entries), report)
+    uncertainty = read_uncertainty(record, UNCERTAIN_OF_PULLEY, report)
     laws: tuple[Lagging, ...] = ()
     if "lagging" in record:
         laws = laggings.of(record["lagging"], (*record.place, "lagging"))
@@ -244,7 +320,7 @@ def build_pulley(
         return None
     lagging = sure[0] if own else laws[0]
     by_name = {lag.condition: lag for lag in sure[len(own) :]}
-    more: dict[str, Any] = {"conditions": tuple(by_name.values())}
+    more: dict[str, Any] = {"conditions": tuple(by_name.values()), "uncertainty": uncertainty}
     if "belt_path" in record:
         wrap = _wrap_of(record, report)
         if wrap is None:

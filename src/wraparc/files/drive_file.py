@@ -1,10 +1,12 @@
 """Drive files to drives."""
 
 import os
+from dataclasses import replace
 from typing import cast
 
 from wraparc.drive import DESIGN, Belt, Drive, LoadCase, Pulley, ReadFrom, TakeUp, repeated
 from wraparc.drive.drive import least_tensions
+from wraparc.drive.load_case import UNCERTAIN_OF_CASE
 from wraparc.drive.pitch import pitch_offset
 from wraparc.errors import InputError, name_remedy
 from wraparc.files.across_keys import check_width
@@ -17,12 +19,13 @@ from wraparc.files.drive_build import (
     build_pulley,
     report_together,
 )
-from wraparc.files.drive_keys import DRIVE
-from wraparc.files.tensions import KEYS, Given, complete, resolve
+from wraparc.files.drive_keys import A_PULLEY, DRIVE
+from wraparc.files.tensions import KEYS, Given, complete, report_uncertain_twice, resolve
 from wraparc.schema.overrides import Overrides, load, put_over
-from wraparc.schema.problems import Report
+from wraparc.schema.problems import Report, place_text
 from wraparc.schema.source import Document, check_format, parse, read_tables
 from wraparc.schema.tables import Record
+from wraparc.schema.uncertain import read_uncertainty
 
 
 def load_drive(
@@ -101,9 +104,11 @@ def drive_from_document(
     own = record.get("lagging")
     laggings = Laggings(own if isinstance(own, dict) else {}, folder, allow_paths, report)
     records = [item for item in record.get("pulley") or () if isinstance(item, Record)]
+    _name_pulley(records, report)
     conditions = build_conditions(record, report)
     pulleys = [build_pulley(item, laggings, conditions, report) for item in records]
     check_width(records, belt_record, report)
+    report_uncertain_twice(record, report)
     criteria = build_criteria(record, belt, report)
     conveyor = None
     if "conveyor" in document:
@@ -125,6 +130,16 @@ def drive_from_document(
             **parts,
         )
     )
+
+
+def _name_pulley(pulleys: list[Record], report: Report) -> None:
+    """Put the name of the only pulley into the hints that ask for one."""
+    if len(pulleys) == 1 and "name" in pulleys[0]:
+        hint, own = f"pulley.{A_PULLEY}.", f"{place_text(('pulley', pulleys[0]['name']))}."
+        report.problems = [
+            replace(problem, remedy=problem.remedy.replace(hint, own))
+            for problem in report.problems
+        ]
 
 
 def _load_cases(
@@ -149,6 +164,7 @@ def _load_cases(
     if not cases or complete(own, speed):
         tensions = resolve(own, speed, report, sure=sure)
         built.append(LoadCase(name=DESIGN, tensions=tensions))
+        sure = sure and len(tensions) == len(own)  # said once, not in every case that takes it over
     for case in cases:
         if "train" in case:
             report.add((*case.place, "train"), "there is no [train] table", "Write one.")
@@ -158,10 +174,22 @@ def _load_cases(
         if "name" in case:
             more = {"kind": case.get("kind", "running"), "condition": condition_name(case)}
             more["description"] = case.get("description", "")
+            more["uncertainty"] = _uncertainty_of(case, report)
             built.append(LoadCase(name=case["name"], tensions=tensions, **more))
     for problem in repeated("load_case", (case.name for case in built)):
         report.take(InputError(problem), ())
     return tuple(built)
+
+
+def _uncertainty_of(case: Record, report: Report) -> dict[str, dict[str, float]]:
+    """Return the uncertainties that a load case states, by pulley."""
+    found = {}
+    for name, table in case.get("pulley", {}).items():
+        if isinstance(table, Record):
+            of = read_uncertainty(table, UNCERTAIN_OF_CASE, report)
+            if of:
+                found[name] = of
+    return found
 
 
 def _pulled_at(pulley: Record, belt: Belt | None) -> float | None:

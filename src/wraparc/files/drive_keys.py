@@ -1,6 +1,7 @@
 """The keys of a drive file."""
 
 from wraparc.catalogue import design_friction
+from wraparc.catalogue.own import MODULUS_KEYS
 from wraparc.conveyor.keys import BELT_PATH, CONVEYOR
 from wraparc.drive import (
     CASE_KINDS,
@@ -17,9 +18,12 @@ from wraparc.drive import (
     TakeUp,
     Tensions,
 )
-from wraparc.drive.belt import SIDES
+from wraparc.drive.belt import SIDES, UNCERTAIN_OF_BELT
 from wraparc.drive.conditions import Condition
+from wraparc.drive.load_case import UNCERTAIN_OF_CASE
+from wraparc.drive.pulley import UNCERTAIN_OF_PULLEY
 from wraparc.files.across_keys import ACROSS
+from wraparc.files.elongation import Elongation
 from wraparc.files.lagging_keys import LAGGING_GIVEN
 from wraparc.schema.kinds import (
     ByName,
@@ -36,20 +40,38 @@ from wraparc.schema.kinds import (
 )
 from wraparc.schema.shared_keys import FORMAT_ENTRY, ORIGINS, PROVENANCE, known
 from wraparc.schema.tables import Entry, Misplaced, Table, limited, need
+from wraparc.schema.uncertain import uncertainty_entry
 
 BELT = Table(
     "Belt",
-    Entry("preset", "A belt of the catalogue; other keys override it.", Name(), title="Belt"),
-    Entry("name", "Designation of the belt.", Name()),
+    Entry(
+        "preset",
+        "A belt of the catalogue, or a standard name: EP 630/3, EP 1000/4 6+3 Y, NN 500/4, "
+        "ST 2000, 330 PIW 3 ply. Other keys override it.",
+        Name(),
+        title="Belt",
+    ),
+    Entry(
+        "name",
+        "Designation of the belt. A standard name without a modulus brings its usual data, as in "
+        "preset.",
+        Name(),
+    ),
     Entry("kind", "Carcass, for example fabric or steel cord.", Text(60)),
     known("width", quantity="belt_width", required=True),
     known("modulus", quantity="belt_modulus"),
+    Entry(
+        "elongation",
+        "Elongation at a share of the breaking strength, 1.5 % at 10 %, instead of the modulus.",
+        Elongation(),
+    ),
     Entry("rating", "Rated (operating) tension per unit width."),
     Entry(
         "strength",
         "Breaking strength per unit width, for the safety factor of the belt; that in the name of "
         "the belt, ST2000 or EP 630/4, if left out.",
     ),
+    *MODULUS_KEYS,
     known("speed", quantity="belt_speed"),
     Entry(
         "momentary_factor",
@@ -93,6 +115,7 @@ BELT = Table(
         "Mass of a metre of belt; or belt_mass of [conveyor]. Of a preset with both covers it is "
         "computed where its maker publishes the masses of its layers.",
     ),
+    uncertainty_entry(UNCERTAIN_OF_BELT),
     *ORIGINS,
     of=Belt,
 )
@@ -154,10 +177,13 @@ PULLEY = Table(
     ),
     known("mass", quantity="pulley_mass"),
     Entry("across", "What is uneven across the width.", ACROSS),
+    uncertainty_entry(UNCERTAIN_OF_PULLEY),
     Entry("sources", "Where single numbers came from, by key.", ByName(PROVENANCE)),
     of=Pulley,
 )
 
+#: What stands for the name of a pulley in a hint, until it is known.
+A_PULLEY = "NAME"
 LOAD_CASE = Table(
     "Load case",
     need("name", "Name of the case.", Name(), example='name = "start"'),
@@ -171,14 +197,15 @@ LOAD_CASE = Table(
     Entry(
         "pulley",
         "Tensions by pulley; those not named retain their own.",
-        ByName(Table("Tensions", *TENSIONS)),
+        ByName(Table("Tensions", *TENSIONS, uncertainty_entry(UNCERTAIN_OF_CASE))),
         title="Tensions",
     ),
     Entry("train", kind=Elsewhere()),
     misplaced=Misplaced(
         tuple(entry.key for entry in TENSIONS),
         "tensions of a load case belong to its pulleys",
-        "Write pulley.NAME.{key}.",
+        f"Write pulley.{A_PULLEY}.{{key}} in the load case.",
+        owner="pulley",
     ),
 )
 
@@ -281,5 +308,6 @@ DRIVE = Table(
     *CRITERIA,
     Entry("train", kind=Elsewhere()),
     Entry("motion", "The drives in time: events, inertias, controls.", Elsewhere()),
+    Entry("learned", "What wraparc learn took from the logs of the drive.", Elsewhere()),
     of=Drive,
 )

@@ -5,6 +5,7 @@ from typing import Any
 
 from wraparc.drive import Block, ConditionFactor, Factors, Lagging, compression_modulus
 from wraparc.drive.conditions import SCALED
+from wraparc.drive.lagging import UNCERTAIN_OF_LAGGING
 from wraparc.files.lagging_keys import (
     BLOCK,
     CONDITION_FACTOR,
@@ -20,12 +21,13 @@ from wraparc.provenance import Provenance
 from wraparc.schema.origins import own_provenance, read_provenance, read_sources
 from wraparc.schema.problems import Report
 from wraparc.schema.tables import Record
+from wraparc.schema.uncertain import read_uncertainty
 from wraparc.units import display
 
 _KEYS = tuple(entry.key for entry in LAGGING_FILE.entries)
 _MEASURED = ("thickness", "shear_modulus", "compression_modulus")
 #: Keys of a table of their own, and keys that are fields of a lagging as they stand.
-_TABLES = ("law", "block", "cost", "provenance", "sources", "notes")
+_TABLES = ("law", "block", "cost", "uncertainty", "provenance", "sources", "notes")
 _SAME = tuple(
     part.name
     for part in fields(Lagging)
@@ -40,6 +42,7 @@ def build_laggings(record: Record, report: Report) -> tuple[Lagging, ...]:
     sources = read_sources(record, _KEYS, report)
     common: dict[str, Any] = {key: record[key] for key in _SAME if key in record}
     common["provenance"] = own_provenance(record, report) or Provenance()
+    common["uncertainty"] = read_uncertainty(record, UNCERTAIN_OF_LAGGING, report)
     common["cost"] = COST.built(record.get("cost"), report)
     common |= _elasticity(record, sources, common["provenance"], report)
     laws = [law for law in record.get("law", ()) if isinstance(law, Record)]

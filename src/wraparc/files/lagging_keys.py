@@ -11,6 +11,7 @@ from wraparc.drive import (
     Lagging,
     Limit,
 )
+from wraparc.drive.lagging import UNCERTAIN_OF_LAGGING
 from wraparc.friction import (
     SLIP_INCLUDES,
     Constant,
@@ -22,6 +23,7 @@ from wraparc.friction import (
 from wraparc.schema.kinds import Choice, Name, OneOrMore, Quantity, Rows, Text
 from wraparc.schema.shared_keys import FORMAT_ENTRY, ORIGINS, PROVENANCE, known
 from wraparc.schema.tables import Entry, Table, Variant, need
+from wraparc.schema.uncertain import uncertainty_entry
 
 _NUMBER = Quantity("number")
 _NOT_NEGATIVE = Quantity("number", Limit("number"))
@@ -309,6 +311,7 @@ _LAGGING = (
         Rows(CONDITION_FACTOR, most=20),
     ),
     Entry("law", "One for each condition.", OneOrMore(LAW), title="Friction laws"),
+    uncertainty_entry(UNCERTAIN_OF_LAGGING),
     *ORIGINS,
     Entry("notes", "What a reader must know.", _NOTES),
 )

@@ -2,12 +2,14 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 from wraparc.drive import Tensions, tension_rules
 from wraparc.drive.tension_rules import DrumAt, LoadFault, LoadGiven, NipTensions, RunsGain
 from wraparc.errors import InputError
 from wraparc.schema.problems import Place, Report
 from wraparc.schema.tables import Record
+from wraparc.schema.uncertain import UNCERTAINTY
 from wraparc.units import display
 
 KEYS = LoadGiven._fields
@@ -73,6 +75,23 @@ class Given:
     def less_runs(self, runs: float, speed: float | None) -> "Given":
         """Return what is given with the pull between the outer tensions, without the runs' [N]."""
         return replace(self, values=tension_rules.less_runs(self.values, runs, self.at(speed)))
+
+
+def report_uncertain_twice(record: Record, report: Report) -> None:
+    """Report uncertainties of the tensions of pulleys beside those of all together."""
+    for table in ("train", "conveyor"):
+        every = record.get(table)
+        if not isinstance(every, Record) or not every.get(UNCERTAINTY):
+            continue
+        for pulley in record.get("pulley") or ():
+            if not isinstance(pulley, Record):
+                continue
+            given: Any = pulley.raw.get(UNCERTAINTY, {})
+            for key in pulley.get(UNCERTAINTY, {}):
+                if key in KEYS:
+                    message = f"contradicts those of [{table}]"
+                    place = (*pulley.place, UNCERTAINTY, key)
+                    report.add(place, message, "Remove one of them.", given[key])
 
 
 def resolve(

@@ -4,7 +4,7 @@ import os
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from itertools import takewhile
-from math import inf, nextafter
+from math import inf, isnan, nextafter
 from typing import Any
 
 from wraparc import catalogue
@@ -37,10 +37,12 @@ from wraparc.provenance import Provenance
 from wraparc.saving import save_file
 from wraparc.schema.emit import document_text
 from wraparc.schema.keep import kept
+from wraparc.schema.kinds import ByName, Percent
 from wraparc.schema.problems import Report
 from wraparc.schema.quantity_text import quantity_text
 from wraparc.schema.shared_keys import FORMAT, PROVENANCE
 from wraparc.schema.source import Document
+from wraparc.schema.uncertain import UNCERTAINTY
 from wraparc.units import Dimension
 
 Tables = dict[str, Any]
@@ -181,10 +183,11 @@ def _belt_table(belt: Belt, *, light: bool = False) -> Tables:
     """Return the table of a belt, `light` without its mass."""
     belt = with_mass(belt, None) if light else belt
     table = BELT.written(belt)
-    preset = next((b for b in catalogue.belts() if b.name == belt.name), None)
+    preset = _preset_of(belt.name)
     if preset is None:
         return table
-    usual = BELT.written(preset)
+    unknown = {"modulus": None} if isnan(preset.modulus) else {}
+    usual = BELT.written(preset, **unknown)
     own = with_mass(belt, None) if is_of_layers(belt) else belt  # the preset computes it again
     short = {key: v for key, v in BELT.written(own).items() if v != usual.get(key)}
     # reading a preset says by itself that other numbers are given
@@ -197,6 +200,15 @@ def _belt_table(belt: Belt, *, light: bool = False) -> Tables:
     return short if again == belt else table
 
 
+def _preset_of(name: str) -> catalogue.CatalogueBelt | None:
+    """Return the belt of the catalogue, or of the standard, that has this very name."""
+    try:
+        found = catalogue.find_belt(name)
+    except InputError:  # a name like that of a standard belt, with a slip
+        return None
+    return found if found is not None and found.name == name else None
+
+
 def _pulley_table(pulley: Pulley, design: Mapping[str, Any]) -> Tables:
     tensions = _tensions(design[pulley.name]) if pulley.name in design else {}
     lagging = _in_conditions(pulley) if pulley.conditions else _lagging_keys(pulley.lagging)
@@ -204,8 +216,15 @@ def _pulley_table(pulley: Pulley, design: Mapping[str, Any]) -> Tables:
 
 
 def _case_table(case: LoadCase) -> Tables:
-    tensions = {name: _tensions(of) for name, of in case.tensions.items()}
+    tensions = {
+        name: _tensions(of) | _uncertainty(case.uncertainty.get(name, {}))
+        for name, of in case.tensions.items()
+    }
     return LOAD_CASE.written(case, pulley=tensions)
+
+
+def _uncertainty(of: Mapping[str, float]) -> Tables:
+    return {UNCERTAINTY: ByName(Percent()).written(of)} if of else {}
 
 
 def _tensions(tensions: Any) -> Tables:

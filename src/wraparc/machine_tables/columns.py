@@ -24,7 +24,12 @@ _SPELLINGS: dict[str, tuple[str, float]] = {
         ("millimeter", "millimeters", "millimetre", "millimetres", "мм", "毫米"), ("mm", 1.0)
     ),
     "\u0441": ("s", 1.0),  # Cyrillic
-    "кгс": ("kgf", 1.0),
+    **dict.fromkeys(("кгс", "kgf", "kgf.", "kp", "公斤"), ("kgf", 1.0)),
+    **dict.fromkeys(("тс",), ("tf", 1.0)),
+    **dict.fromkeys(("микрон", "мкм", "micron", "microns", "微米"), ("um", 1.0)),
+    **dict.fromkeys(("см", "厘米"), ("cm", 1.0)),
+    **dict.fromkeys(("뉴턴", "ニュートン"), ("N", 1.0)),
+    **dict.fromkeys(("초",), ("s", 1.0)),
     **dict.fromkeys(("mil", "mils"), ("thou", 1.0)),
     **dict.fromkeys(("MM", "Mm"), ("mm", 1.0)),
     **dict.fromkeys(("CM",), ("cm", 1.0)),
@@ -48,6 +53,13 @@ _SLASHED = re.compile(
     r"^(?P<name>.+?)(?:\s*/\s*|\s+in\s+|\s*,\s*|(?P<blank>\s+)|_)(?P<unit>[^\s/_,]+)$"
 )
 _FACTOR = re.compile(r"(?:[x×*·/÷]\s*10+(?:(?:\^|\*\*|e)-?\d+)?|\b10\^-?\d+)\)?$")
+# Brackets and signs of East Asian keyboards.
+_FULL_WIDTH = str.maketrans(
+    "\uff08\uff09\uff3b\uff3d\u3010\u3011\u3014\u3015\uff0f\uff0c\uff1a\uff05\u3000\uff1c\uff1e",
+    "()[][][]/,:% <>",
+)
+# A line of units that names itself, as of LabVIEW: one a channel behind the x.
+_UNIT_LABEL = re.compile(r"(?:[xy] )?units?(?: label)?s?|einheit(?:en)?|unites?|unidad(?:es)?")
 # Names of columns that rows often leave empty, the delimiter before them too.
 _COMMENT = re.compile(
     r"(comment|komment|koment|coment|comment|note|remark|bemerk|poznam|uwag|osserv|event|marker)"
@@ -111,7 +123,7 @@ def is_unit_text(text: str) -> bool:
 
 def split_name(cell: str) -> tuple[str, str]:
     """Split ``"Load (kN)"``, ``"Weg / mm"``, ``"Kraft in N"``, ``"Force_N"`` into name and unit."""
-    text = " ".join(cell.split())
+    text = " ".join(cell.translate(_FULL_WIDTH).split())
     match = _BRACKETED.match(text)
     if match and is_unit_text(match["unit"]):
         return match["name"].strip(" ,;_-/"), match["unit"].strip()
@@ -172,7 +184,7 @@ def name_columns(
     complaint
         A sentence if names stand there that do not fit the columns one by one.
     """
-    units = [""] * width
+    units = _labelled_units(header, width)
     names: Sequence[str] = ()
     misfit = ""
     for row in reversed(header[-3:]):
@@ -194,6 +206,17 @@ def name_columns(
         NamedColumn(k, name or cell, _one_unit(name, unit, units[k]))
         for k, ((name, unit), cell) in enumerate(zip(split, names, strict=True))
     ], ""
+
+
+def _labelled_units(header: Sequence[Sequence[str]], width: int) -> list[str]:
+    """Units of a line further above that names itself; empty where there is none."""
+    for row in reversed(header[:-1]):
+        cells = [cell.strip() for cell in row]
+        own = cells[1:width]
+        named = bool(cells) and _UNIT_LABEL.fullmatch(plain_name(cells[0])) is not None
+        if named and any(own) and all(is_unit_text(cell) for cell in own if cell):
+            return ["", *own, *[""] * (width - 1 - len(own))]
+    return [""] * width
 
 
 def _one_unit(name: str, own: str, below: str) -> str:

@@ -4,9 +4,11 @@ import stat
 from dataclasses import dataclass
 from pathlib import Path
 
+import numpy as np
+
 from wraparc.errors import shown
 from wraparc.machine_tables.limits import LARGEST_FILE, refused
-from wraparc.machine_tables.lines import DELIMITER_NAMES, split_all
+from wraparc.machine_tables.lines import DELIMITER_NAMES, split_all, splitter, unwrapped
 from wraparc.machine_tables.sniff import decode, is_workbook
 from wraparc.machine_tables.tables import RawTable, refuse_units_in_cells
 from wraparc.machine_tables.text import tables_in_text
@@ -91,6 +93,25 @@ def find_tables(
         for each in signs:
             refuse_units_in_cells(split_all(lines, each), file)
     return TableFile(tables, decoded.encoding, decoded.notes)
+
+
+def column_words(data: bytes, table: RawTable, place: int, encoding: str) -> list[str]:
+    """Return the cells of a column as text, also of a long table, which keeps its numbers only.
+
+    Parameters
+    ----------
+    data, encoding
+        The file, and Python's name of its encoding.
+    table, place
+        One of its tables, and the column, counted from 0.
+    """
+    cells = table.columns[place]
+    if not isinstance(cells, np.ndarray):
+        return ["" if cell is None else str(cell) for cell in cells]
+    lines = unwrapped(decode(data, "", encoding).text.split("\n"))
+    split = splitter(table.delimiter)
+    rows = [split(lines[line - 1]) for line in table.lines.tolist()]
+    return [row[place] if place < len(row) else "" for row in rows]
 
 
 def _delimiter(given: str, file: str) -> str:

@@ -6,8 +6,10 @@ letters only, so the choice among them touches column names and nothing else.
 
 import codecs
 from dataclasses import dataclass
+from itertools import pairwise
 
 from wraparc.errors import shown
+from wraparc.machine_tables.code_pages import ASKED, page_of, printable
 from wraparc.machine_tables.limits import refused
 
 _BOMS = (
@@ -28,7 +30,10 @@ _OTHER_FORMATS = (
 _REMEDY = "Export it as CSV or Excel workbook."
 # Letters seen in column names of the languages these code pages serve.
 _CENTRAL_EUROPEAN = set("ąćęłńśźżčďěňřšťůžőűăşţĄĆĘŁŃŚŹŻČĎĚŇŘŠŤŮŽŐŰ")
-_WESTERN = set("äöüßéèêàâçîïôûñáíóúãõåæøÄÖÜÉÈÀÇÑÁÍÓÚÃÕÅÆØ°²µ")
+_WESTERN = set("äöüßéèêàâçîïôûñáíóúãõåæøìòùëÄÖÜÉÈÀÇÑÁÍÓÚÃÕÅÆØÌÒÙË°²µ")
+# Letters beyond ASCII of a head that is looked at, their share beside another such letter, which
+# words of Latin letters have not; the answer where they are no words.
+_SOME, _TOGETHER, _UNCLEAR = 4, 0.5, "unclear"
 
 
 @dataclass(frozen=True)
@@ -85,10 +90,14 @@ def decode(data: bytes, file: str, encoding: str | None = None) -> Decoded:
         if data.startswith(magic):
             raise refused(file, f"is {kind}, no table", _REMEDY)
     name = encoding or _encoding_of(data)
+    if name == _UNCLEAR:
+        remedy = f"Give --encoding, such as {ASKED} (in a plan: encoding)."
+        raise refused(file, "encoding unclear", remedy)
     if name is None:
         raise refused(file, "is binary, no text", _REMEDY)
     text, notes = _decode(data, name, file, found=encoding is None)
     text = text.rstrip("\x1a\x00").replace("\r\r\n", "\n").replace("\r\n", "\n").replace("\r", "\n")
+    text = printable(text)
     return Decoded(text=text, encoding=name, ended=text.endswith("\n"), notes=notes)
 
 
@@ -134,7 +143,13 @@ def _encoding_of(data: bytes) -> str | None:
             return "utf-8"
     else:
         return "utf-8"
-    return max(("cp1252", "cp1250", "latin-1"), key=lambda name: _plausibility(data, name))
+    page = page_of(data)
+    if page is not None:
+        return page
+    best = max(("cp1252", "cp1250", "latin-1"), key=lambda name: _plausibility(data, name))
+    odd = [ord(c) > 127 and c.isalpha() for c in head.decode(best, errors="replace")]
+    beside = sum(a and b for a, b in pairwise(odd))
+    return _UNCLEAR if sum(odd) >= _SOME and beside > _TOGETHER * sum(odd) else best
 
 
 def _utf16_of(head: bytes) -> str | None:

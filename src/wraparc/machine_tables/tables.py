@@ -14,6 +14,7 @@ import numpy as np
 
 from wraparc.arrays import Array, Integers
 from wraparc.errors import shown
+from wraparc.machine_tables.code_pages import printable
 from wraparc.machine_tables.columns import (
     NamedColumn,
     are_numbers_of_columns,
@@ -223,7 +224,7 @@ class _Texts(Sequence[list[str]]):
 
 
 def _text(cell: object) -> str:
-    return "" if cell is None else str(cell).strip()
+    return "" if cell is None else printable(str(cell)).strip()
 
 
 def _mixed_width(row: Sequence[object]) -> int:
@@ -407,7 +408,9 @@ def _with_starts(
             line = run.rows.pop(0)
             run.skipped.append((line, f"not a row of numbers: {_shown(cells[line])}"))
         yield run, start
-        start = run.last + 1
+        # settings, each behind its name, are part of the head of what follows
+        few = len(run.rows) <= _FEW and all(cells[k] and _is_text(cells[k][0]) for k in run.rows)
+        start = start if few else run.last + 1
 
 
 def _is_setting(cells: Sequence[Sequence[str]], run: _Run) -> bool:

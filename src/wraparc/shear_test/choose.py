@@ -33,6 +33,7 @@ class Chosen:
 
     columns: dict[Role, tuple[NamedColumn, ColumnUnit]]
     notes: tuple[str, ...]
+    passed_over: tuple[str, ...] = ()
 
 
 def choose_columns(
@@ -58,6 +59,7 @@ def choose_columns(
     given = _given_units(named, choices, file, problems)
     columns: dict[Role, tuple[NamedColumn, ColumnUnit]] = {}
     notes: list[str] = []
+    passed: list[str] = []
     demanded = any(is_demand(text) for text in (*above, *(column.name for column in named)))
     for role in Role:
         wanted = getattr(choices, role.value)
@@ -70,6 +72,8 @@ def choose_columns(
             if not candidates and role is Role.FORCE and choices.stress_area is not None:
                 candidates = [(column, 0.0) for column in stresses(named, given)]
             column = _best(named, data, role, given, candidates, problems, notes, file, choices)
+            if role in _NEEDED:
+                passed += [other.label for other, _ in candidates[1:]]
         if column is None:
             continue
         unit = _unit_of(column, role, given, file, problems, choices)
@@ -80,7 +84,7 @@ def choose_columns(
         del columns[Role.NORMAL_FORCE]
     if problems:
         raise InputError(problems)
-    return Chosen(columns, tuple(notes))
+    return Chosen(columns, tuple(notes), tuple(dict.fromkeys(passed)))
 
 
 def _best(
@@ -280,6 +284,8 @@ def _unit_of(
             if choices.in_plan
             else f"Add --unit '{column.label}=?'.",
             file=file,
+            code="" if text else "unit",
+            meant="" if text else column.label,
         )
     )
     return None

@@ -17,7 +17,7 @@ import numpy as np
 from wraparc.arrays import Array, Flags
 from wraparc.errors import InputError, Problem, format_names, name_remedy, shown
 from wraparc.friction import peak_from_ab
-from wraparc.machine_tables import RawTable, find_tables, refused
+from wraparc.machine_tables import RawTable, column_words, find_tables, refused
 from wraparc.shear_test.budget import ReadOff, Uncertainty
 from wraparc.shear_test.plan import Digitised, PlannedTest, TestPlan
 from wraparc.shear_test.record import MachineRecord
@@ -144,11 +144,19 @@ _Curve = tuple[str, list[tuple[float, float]]]
 
 def _in_table(data: bytes, file: str) -> list[_Curve]:
     """Curves of all tables of a file, which may stand under each other."""
-    tables = [table for table in find_tables(data, file).tables if table.rows > 1]
-    return [curve for table in tables for curve in _of_table(table, file)]
+    found = find_tables(data, file)
+
+    def words(table: RawTable, column: int) -> list[str]:
+        return column_words(data, table, column, found.encoding)
+
+    tables = [table for table in found.tables if table.rows > 1]
+    return [curve for table in tables for curve in _of_table(table, file, words)]
 
 
-def _of_table(table: RawTable, file: str) -> list[_Curve]:
+_Words = Callable[[RawTable, int], list[str]]
+
+
+def _of_table(table: RawTable, file: str, words_of: _Words) -> list[_Curve]:
     style = table.found_style(file)
     values = [table.numbers(k, style) for k in range(len(table.columns))]
     rows = [[cell.strip() for cell in row] for row in table.header if len(row) == len(values)]
@@ -157,7 +165,7 @@ def _of_table(table: RawTable, file: str) -> list[_Curve]:
     above = " ".join(" ".join(row) for row in table.header if len(row) != len(values))
     filled = [k for k, column in enumerate(values) if np.isfinite(column).any()]
     filled = [k for k in filled if not _counts(heads[k], values[k])]
-    groups = _groups(table, heads, values, filled)
+    groups = _groups(table, heads, values, filled, words_of)
     if groups is not None:
         filled = [k for k in filled if not _GROUP.fullmatch(heads[k])]
     of = _pairs(filled, heads, titles)
@@ -184,12 +192,14 @@ def _counts(head: str, values: Array) -> bool:
 
 
 def _groups(
-    table: RawTable, heads: list[str], values: list[Array], filled: list[int]
+    table: RawTable, heads: list[str], values: list[Array], filled: list[int], words_of: _Words
 ) -> dict[str, Flags] | None:
     """Rows of each curve, where a column names them: words, or a number under such a head."""
-    for k, cells in enumerate(table.columns):
-        words = [str(cell).strip() for cell in cells]
+    for k in range(len(table.columns)):
         named = k in filled and _GROUP.fullmatch(heads[k])
+        if not named and np.isfinite(values[k]).any():
+            continue
+        words = [cell.strip() for cell in words_of(table, k)]
         if named or (all(words) and not np.isfinite(values[k]).any()):
             return {
                 name: np.array([word == name for word in words]) for name in dict.fromkeys(words)
@@ -284,16 +294,18 @@ def with_curves(
     return read, records
 
 
-def as_drawn(curve: FrictionCurve, first: float) -> FrictionCurve:
+def as_drawn(curve: FrictionCurve, first: float, errors: ReadOff | None = None) -> FrictionCurve:
     """Return the curve of a figure: its slip is counted from 0, not from its first point [m].
 
-    It has no unknown zero, and nothing recorded it.
+    It has no unknown zero, nothing recorded it, and no rise before its first point is lost: there
+    is none at no slip. Its points are wrong by the `errors` of the reading.
     """
     return replace(
         curve,
         travel=curve.travel + first,
         binned_travel=curve.binned_travel + first,
-        first_friction=float(curve.friction[0]),  # of so few points, not the median of five
+        first_friction=0.0,
+        read_off=(0.0, 0.0) if errors is None else (errors.slip, errors.friction),
         onset=0.0,
         zero=None,
         zero_unknown=0.0,

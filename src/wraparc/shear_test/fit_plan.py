@@ -12,6 +12,7 @@ from wraparc.errors import InputError, Problem
 from wraparc.machine_tables import read_bytes, refused
 from wraparc.shear_test.analysis import ConditionResult, PlanResult, TestResult
 from wraparc.shear_test.condition_fit import fit_condition
+from wraparc.shear_test.contradictions import contradictions, with_stated
 from wraparc.shear_test.curve_fit import fit_curve
 from wraparc.shear_test.digitised import as_drawn, with_curves
 from wraparc.shear_test.misfit import OTHER_PRESSURE, Sentence, judged_fit, stick_slip, with_misfit
@@ -21,6 +22,7 @@ from wraparc.shear_test.reader import read_machine_file
 from wraparc.shear_test.record import MachineRecord
 from wraparc.shear_test.reduce import FrictionCurve, Sample, reduce_record
 from wraparc.shear_test.separation import at_reference, separate
+from wraparc.shear_test.travel_units import odd_travel
 from wraparc.units import quantity
 
 Reader = Callable[[PlannedTest], MachineRecord]
@@ -73,13 +75,14 @@ def fit_plan(
         try:
             record = reader(test)
             _refuse_duplicate(record, test, seen)
-            results.append(_one_test(plan, test, record))
+            results.append(_one_test(plan, with_stated(test, record), record))
         except InputError as error:
             problems += [_placed(problem, test) for problem in error.problems]
         except _FAILURES as error:
             problems.append(_placed(_not_fitted(error), test))
         if progress is not None:
             progress(number, len(plan.used_tests), test.file)
+    results = _without_odd_travels(results, problems)
     if not results:
         raise InputError(problems or [Problem(message="uses no test", file=plan.file)])
     names = dict.fromkeys(result.test.condition for result in results)
@@ -125,10 +128,33 @@ def _are_same_readings(record: MachineRecord, other: MachineRecord) -> bool:
     return apart < _SAME_NOISE * noise_level(record.force) or not np.any(record.force - other.force)
 
 
+def _without_odd_travels(
+    results: Sequence[TestResult], problems: list[Problem]
+) -> list[TestResult]:
+    """Leave out tests whose travel is another unit's beside the others, and say so."""
+    travels = [float(result.curve.travel[-1]) for result in results]
+    kept = []
+    for k, (result, travel) in enumerate(zip(results, travels, strict=True)):
+        others = travels[:k] + travels[k + 1 :]
+        fault = odd_travel(travel, others, result.record.unit_of("travel"))
+        if fault is None:
+            kept.append(result)
+        else:
+            problems.append(_placed(refused(result.record.file, *fault).problems[0], result.test))
+    return kept
+
+
+def _plain(error: Exception) -> str:
+    """What a failure of the computation means."""
+    if isinstance(error, np.linalg.LinAlgError):
+        return "its readings determine no peak"
+    return str(error)
+
+
 def _not_fitted(error: Exception) -> Problem:
     """What to say of readings that no curve can be laid through."""
     return Problem(
-        message=f"no curve fits its readings ({error})",
+        message=f"no curve fits it ({_plain(error)})",
         remedy="Check columns and units: wraparc read FILE.",
     )
 
@@ -154,7 +180,8 @@ def _one_test(plan: TestPlan, test: PlannedTest, record: MachineRecord) -> TestR
     with np.errstate(all="ignore"):  # what is not finite in the end is left out below
         curve = reduce_record(record, sample)
         if plan.digitised is not None:
-            curve = as_drawn(curve, float(record.travel.min()))
+            errors = None if plan.uncertainty is None else plan.uncertainty.read_off
+            curve = as_drawn(curve, float(record.travel.min()), errors)
         result = _fitted(plan, test, record, curve, known)
     if not _is_finite(result):
         raise ArithmeticError("its result is not finite")
@@ -180,7 +207,10 @@ def _fitted(
         judged = with_misfit(judged, stick_slip(curve.swing))
     if record.unread:
         judged = with_misfit(judged, _unread(record.unread))
-    for sentence in _set_and_measured(plan, test, curve.pressure):
+    for sentence in (
+        *_set_and_measured(plan, test, curve.pressure),
+        *contradictions(plan, test, record),
+    ):
         judged = with_misfit(judged, sentence)
     second = fit_curve(curve, bending=other, start=judged.fit) if known > 0.0 else None
     return TestResult(test=test, record=record, curve=curve, judged=judged, other=second)
@@ -192,7 +222,10 @@ def _unread(count: int) -> Sentence:
         f"{have} the same columns and do not run on from it: not read. Name the table that is "
         "meant (table = 1), and give each a test of its own"
     )
-    return Sentence("other tables", text)
+    head = f"{count} further table{'s' if count > 1 else ''} of the file not read"
+    return Sentence(
+        "other tables", text, head, "Give each table a [[test]] of its own: table = 1, table = 2."
+    )
 
 
 def _refuse_long_lash(plan: TestPlan, test: PlannedTest, travel: float) -> None:
@@ -221,7 +254,11 @@ def _set_and_measured(plan: TestPlan, test: PlannedTest, measured: float) -> lis
         f"the measured normal force means {quantity(measured, 'pressure')}, not the "
         f"{quantity(force / plan.rig.area, 'pressure')} that were set; the measured one was used"
     )
-    return [Sentence(OTHER_PRESSURE, text)]
+    head = (
+        f"measured normal force means {quantity(measured, 'pressure')}, the plan says "
+        f"{quantity(force / plan.rig.area, 'pressure')}"
+    )
+    return [Sentence(OTHER_PRESSURE, text, head, "Correct the load in the plan, or its column.")]
 
 
 def _condition(
@@ -258,7 +295,7 @@ def _law(plan: TestPlan, name: str, own: Sequence[TestResult]) -> ConditionResul
             result = fit_condition(plan, name, tests, levels[order], separated)
             peaks = np.concatenate(result.peaks_at(result.found.level_pressures())[:2])
     except _FAILURES as error:
-        return error.problems[0].message if isinstance(error, InputError) else str(error)
+        return error.problems[0].message if isinstance(error, InputError) else _plain(error)
     return result if np.all(np.isfinite(peaks)) else "its peaks are not finite"
 
 

@@ -29,13 +29,22 @@ _METHOD = (
 )
 
 
-def knot_pressures(fit: PressureFit, tails: Tails) -> Array:
+def knot_pressures(
+    fit: PressureFit, tails: Tails, ends: tuple[float, float] | None = None
+) -> Array:
     """Pressures [Pa] at which the law is written down.
 
     Knots are added where the monotone cubics through them are farthest from the fit, until
     they follow it within 0.1 %, its corner at a transition included.
+
+    Parameters
+    ----------
+    fit, tails
+        The law, and what follows the peak.
+    ends
+        Lowest and highest pressure of a law of fewer tests than the fit was made for [Pa].
     """
-    low, high = fit.ends
+    low, high = ends or fit.ends
     if fit.form.nodes:
         return np.array(fit.form.nodes)
     at = fit.transition_pressure

@@ -1,4 +1,7 @@
-"""Each pressure predicted by the law of the others, and whether chance explains the miss.
+"""Each pressure predicted by the written law of the others, and whether chance explains the miss.
+
+What is written keeps its friction below its pressures and its traction above, so that an end that
+is left out has the error that a drive at that pressure would have.
 
 In (ln x_pk, ln mu_pk) the difference d of the mean of a pressure's curves from the prediction has
 the covariance V = that of the mean (scatter between samples and readings) + that of the
@@ -12,10 +15,12 @@ from collections.abc import Sequence
 import numpy as np
 
 from wraparc.arrays import Array, Integers
+from wraparc.friction import IntegralLog
 from wraparc.shear_test.analysis import LeftOut, TestResult
 from wraparc.shear_test.consistency import towards_usual
 from wraparc.shear_test.curve_model import CurveParameters, friction_and_jacobian
 from wraparc.shear_test.lack_of_fit import with_lack_of_fit
+from wraparc.shear_test.law import knot_pressures, law_through
 from wraparc.shear_test.pressure_choice import leave_out
 from wraparc.shear_test.pressure_fit import CurvePoints, PressureFit
 from wraparc.shear_test.tails import Tails
@@ -56,9 +61,11 @@ def left_out_pressures(
             continue
         inside = np.flatnonzero(levels == level).tolist()
         pressure = float(np.mean([tests[k].curve.pressure for k in inside]))
-        peak = rest.peaks(np.array([pressure]))[0]
-        others = _without(tails, level)
-        squares = [_squared_error(tests[k], peak, others, pressure) for k in inside]
+        written = _written(rest, points.only(points.level != level), _without(tails, level))
+        slip, peak, slope, residual = (float(v) for v in written.parameters(pressure))
+        held = float(written.friction(slip, pressure)) / peak  # traction, above its last pressure
+        predicted = [slip, held * peak, held * slope, held * residual]
+        squares = [_squared_error(tests[k], predicted) for k in inside]
         distance, freedom = _distance(law, rest, points, level)
         found.append(
             LeftOut(
@@ -66,14 +73,21 @@ def left_out_pressures(
                 inside=bool(present[0] < level < present[-1]),
                 error=float(np.sqrt(np.mean(squares))),
                 noise=float(np.mean([tests[k].curve.noise for k in inside])),
-                scatter=_friction_scatter(law, float(np.exp(peak[1]))),
-                peak_slip=float(np.exp(peak[0])),
-                peak_friction=float(np.exp(peak[1])),
+                scatter=_friction_scatter(law, predicted[1]),
+                peak_slip=predicted[0],
+                peak_friction=predicted[1],
                 distance=distance,
                 limit=_limit(freedom, FALSE_ALARM / inner),
             )
         )
     return tuple(found)
+
+
+def _written(rest: PressureFit, points: CurvePoints, tails: Tails) -> IntegralLog:
+    """The law of the others as it would be written: at its ends it stays as it is there."""
+    at = points.level_pressures
+    knots = knot_pressures(rest, tails, (float(at[0]), float(at[-1])))
+    return law_through(knots, rest.peaks(knots), tails, 1.0)
 
 
 def _limit(freedom: float, level: float) -> float:
@@ -145,15 +159,15 @@ def _friction_scatter(law: PressureFit, peak_friction: float) -> float:
     return float(friction * np.sqrt(by_peak @ law.scatter @ by_peak))
 
 
-def _squared_error(result: TestResult, peak: Array, tails: Tails, pressure: float) -> float:
+def _squared_error(result: TestResult, predicted: Sequence[float]) -> float:
     """Mean square of predicted less measured friction of a curve, its lash and zero its own."""
-    slope, ratio = (float(v[0]) for v in tails.at(np.array([pressure])))
+    slip, friction, slope, residual = predicted
     own = result.fit.parameters
     q = CurveParameters(
-        float(peak[0]), float(peak[1]), own.lash, slope, ratio * float(np.exp(peak[1])), own.zero
+        float(np.log(slip)), float(np.log(friction)), own.lash, slope, residual, own.zero
     )
     travel = result.curve.binned_travel
     grid = np.linspace(max(own.lash, 0.0), float(travel[-1]), 200)
-    predicted, _ = friction_and_jacobian(grid, result.fit.bending, q)
+    there, _ = friction_and_jacobian(grid, result.fit.bending, q)
     fitted, _ = friction_and_jacobian(grid, result.fit.bending, own)
-    return float(np.mean((predicted - fitted) ** 2)) + result.fit.remainder**2
+    return float(np.mean((there - fitted) ** 2)) + result.fit.remainder**2

@@ -25,7 +25,8 @@ _NOISY = 0.05
 _ZERO_LIMIT = 0.05
 _UNKNOWN_PEAK = 0.25
 _SWINGS = 3.0
-_RISING = 10
+# Readings of the rise between these shares of the peak that show it. Ours.
+_RISING, _LOW, _HIGH = 2, 0.1, 0.92
 _SUDDEN = 0.02
 _SHOWN = 0.7
 #: What a sentence is about that says nothing against the curve itself.
@@ -33,10 +34,34 @@ OTHER_PRESSURE = "other pressure"
 
 
 class Sentence(NamedTuple):
-    """A sentence, and what it is about, so that the same of many tests is said once."""
+    """A sentence, and what it is about, so that the same of many tests is said once.
+
+    Attributes
+    ----------
+    about, text
+        Both of these.
+    headline, action
+        What the first screen says of it, and what is to be done; empty where nothing special is.
+    """
 
     about: str
     text: str
+    headline: str = ""
+    action: str = ""
+
+
+class Misfit(str):
+    """A sentence on what a law does not describe, with what the first screen says of it."""
+
+    __slots__ = ("action", "headline")
+    headline: str
+    action: str
+
+    def __new__(cls, text: str, headline: str = "", action: str = "") -> "Misfit":
+        """Make one of a text, its few words for the first screen, and what is to be done."""
+        own = super().__new__(cls, text)
+        own.headline, own.action = headline, action
+        return own
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -166,7 +191,9 @@ def _jump(fit: CurveFit, curve: FrictionCurve) -> list[Sentence]:
     begin = fit.parameters.lash
     end = begin + peak + fit.bending * fit.parameters.peak_friction
     rising = int(((curve.travel > begin) & (curve.travel < end)).sum())
-    if rising >= _RISING and peak > _SUDDEN * fit.slip_max:
+    share = (curve.friction - fit.parameters.zero) / fit.parameters.peak_friction
+    shown = (curve.travel < end) & (share > _LOW) & (share < _HIGH)
+    if int(shown.sum()) >= _RISING and peak > _SUDDEN * fit.slip_max:
         return []
     text = (
         f"friction is at its peak within {quantity(peak, 'length', 2)} of slip ({rising} "
@@ -181,8 +208,19 @@ def noise_levels(fit: CurveFit, curve: FrictionCurve) -> float:
     return fit.remainder / curve.noise if curve.noise > 0.0 else 0.0
 
 
+def _beyond_reading(fit: CurveFit, curve: FrictionCurve) -> float:
+    """What the law leaves of a curve beyond what its points may be wrong by [-]."""
+    slip, friction = curve.read_off
+    if not slip and not friction:
+        return fit.remainder
+    steep = np.abs(np.gradient(fit.fitted, np.maximum.accumulate(curve.binned_travel) + 1e-12))
+    off = np.abs(fit.friction - fit.fitted) - np.hypot(friction, slip * steep)
+    return min(fit.remainder, float(np.sqrt(np.mean(np.maximum(off, 0.0) ** 2))))
+
+
 def _remainder(fit: CurveFit, curve: FrictionCurve, top: float) -> list[Sentence]:
-    share, levels = fit.remainder / top, noise_levels(fit, curve)
+    left = _beyond_reading(fit, curve)
+    share, levels = left / top, left / curve.noise if curve.noise > 0.0 else 0.0
     if share < _SMALL_REMAINDER or (share < _REMAINDER and levels < _CLEAR_REMAINDER):
         return []
     stretch = np.minimum((fit.slip / fit.slip_max * _STRETCHES).astype(int), _STRETCHES - 1)
@@ -231,7 +269,7 @@ def _remarks(fit: CurveFit, curve: FrictionCurve, top: float) -> tuple[str, ...]
         remarks.append(
             f"the friction oscillates about the curve by {100 * fit.noise / top:.0f} %, slower "
             "than "
-            "the noise of the readings: it may be stick-slip"
+            "the noise of the readings, as a rig that swings by itself makes it"
         )
     if "post_peak_slope" in fit.free and "residual_friction" not in fit.free:
         remarks.append(
@@ -247,7 +285,8 @@ def stick_slip(swing: Swing) -> Sentence:
         f"minimum, every {quantity(swing.period, 'length', 2)}; the law is that of its middle. "
         'Say which is meant: stick_slip = "mean", "upper" or "lower"'
     )
-    return Sentence("stick-slip", text)
+    head = f"stick-slip varies friction by {100 * swing.size:.0f} %"
+    return Sentence("stick-slip", text, head, 'Write stick_slip = "mean", "upper" or "lower".')
 
 
 def with_misfit(judged: JudgedFit, sentence: Sentence) -> JudgedFit:

@@ -8,12 +8,23 @@ import numpy as np
 
 from wraparc.arrays import Array, Flags, Integers
 from wraparc.errors import InputError
-from wraparc.machine_tables import Cells, NamedColumn, NumeralStyle, RawTable, plain_name
+from wraparc.machine_tables import (
+    Cells,
+    NamedColumn,
+    NumeralStyle,
+    RawTable,
+    find_column,
+    plain_name,
+)
+from wraparc.shear_test.noise import noise_level
+from wraparc.shear_test.record import Choices
 from wraparc.shear_test.reduce import LEAST_POINTS
 from wraparc.shear_test.roles import Role, is_known, suitability
 
 # Steps of time or travel that may lie between two pieces, in steps inside them. Ours.
 _STEPS = 10.0
+# Readings on either side of a seam, and standard deviations of their median. Ours.
+_SIDE, _SEAM_NOISE = 5, 4.0
 _NUMBER = re.compile(r"\d+")
 _MARKS = (9999.0, 99999.0, 999999.0, 9999999.0, 32767.0, 32768.0, 1e30)
 _ENDS = 3
@@ -34,16 +45,33 @@ def alike(table: RawTable, other: RawTable) -> bool:
 def further_tests(tables: Sequence[RawTable], read: Sequence[RawTable]) -> int:
     """How many tables of a file look like tests of their own beside those read, not like results.
 
-    They have the same columns, and rows enough for a pull.
+    They have the same columns, or a travel and a force by name, and rows enough for a pull.
     """
     others = [table for table in tables if table not in read and table.rows >= LEAST_POINTS]
-    return sum(alike(table, read[0]) for table in others)
+    return sum(alike(table, read[0]) or names_a_pull(table) for table in others)
 
 
-def one_run(tables: Sequence[RawTable], best: RawTable) -> list[RawTable]:
+def names_a_pull(table: RawTable) -> bool:
+    """Whether a table has a travel and a force by name."""
+    columns, _ = table.named(is_known)
+    return all(
+        any(suitability(c.name, role) > 0 for c in columns) for role in (Role.TRAVEL, Role.FORCE)
+    )
+
+
+def one_run(
+    tables: Sequence[RawTable], best: RawTable, choices: Choices | None = None
+) -> list[RawTable]:
     """Return the tables of a file that make one run with the best of them, in their order.
 
-    Heads and units agree, and time or travel runs on from each to the next.
+    Heads and units agree, and time runs on from each to the next, or travel and force do.
+
+    Parameters
+    ----------
+    tables, best
+        Of the file.
+    choices
+        Which columns are travel and force, where their names do not tell.
     """
     # without a head the best is like those that have one, and not like itself
     same = [table for table in tables if table is best or alike(table, best)]
@@ -51,9 +79,10 @@ def one_run(tables: Sequence[RawTable], best: RawTable) -> list[RawTable]:
         return [best]
     style = _style(same)
     first = last = same.index(best)
-    while first > 0 and _runs_on(same[first - 1], same[first], style):
+    said = choices or Choices()
+    while first > 0 and _runs_on(same[first - 1], same[first], style, said):
         first -= 1
-    while last + 1 < len(same) and _runs_on(same[last], same[last + 1], style):
+    while last + 1 < len(same) and _runs_on(same[last], same[last + 1], style, said):
         last += 1
     return same[first : last + 1]
 
@@ -89,23 +118,72 @@ def _style(tables: Sequence[RawTable]) -> NumeralStyle:
     return NumeralStyle()
 
 
-def _runs_on(before: RawTable, after: RawTable, style: NumeralStyle) -> bool:
-    named, _ = before.named(is_known)
-    for role in (Role.TIME, Role.TRAVEL):
-        column = max(named, key=lambda c: suitability(c.name, role))
-        if suitability(column.name, role) == 0.0 or before.sheet != after.sheet:
-            continue
-        if _goes_on(*(table.numbers(column.index, style) for table in (before, after))):
-            return True
-    return False
+def _runs_on(before: RawTable, after: RawTable, style: NumeralStyle, choices: Choices) -> bool:
+    if before.sheet != after.sheet:
+        return False
+    ends = {}
+    for role in (Role.TIME, Role.TRAVEL, Role.FORCE):
+        column = _column_of(before, role, choices)
+        if column is not None:
+            ends[role] = tuple(table.numbers(column.index, style) for table in (before, after))
+    if Role.TIME in ends and _goes_on(*ends[Role.TIME]):
+        return True
+    if Role.TRAVEL not in ends or not _goes_on(*ends[Role.TRAVEL]):
+        return False
+    return Role.FORCE not in ends or _stays(*ends[Role.FORCE])
+
+
+def _column_of(table: RawTable, role: Role, choices: Choices) -> NamedColumn | None:
+    """The column that is said to be of a role, or is by its name."""
+    named, _ = table.named(is_known)
+    said = getattr(choices, role.value)
+    if said is not None:
+        return find_column(named, said)
+    best = max(named, key=lambda c: suitability(c.name, role))
+    return best if suitability(best.name, role) > 0.0 else None
 
 
 def _goes_on(before: Array, after: Array) -> bool:
-    steps = np.diff(before)
-    if len(steps) < 2 or len(after) < 2 or not np.all(np.isfinite([*steps, *after[:2]])):
+    """Whether a column goes on behind a seam: medians of some readings on either side of it.
+
+    A single reading of a noisy travel says nothing; the medians lie as many steps apart as readings
+    are between them, but for their noise and a pause.
+    """
+    count = min(_SIDE, len(before) // 2, len(after) // 2)
+    own, later = before[np.isfinite(before)], after[np.isfinite(after)]
+    if count < 1 or len(own) < 3 or len(later) < 2:
         return False
-    usual, step = float(np.median(steps)), float(after[0] - before[-1])
-    return usual != 0.0 and 0.0 < step / usual <= _STEPS and (after[1] - after[0]) / usual > 0.0
+    usual = _usual_step(own) or float(np.median(np.diff(own)))
+    if usual == 0.0:
+        return False
+    apart = float(np.median(later[:count]) - np.median(own[-count:])) / usual - count
+    # of a median of normal readings 1.25 s/sqrt(n), of the difference of two 1.77
+    noise = 1.77 * _SEAM_NOISE * noise_level(own) / abs(usual) / count**0.5
+    # the next piece goes the same way; of a few readings that is not asked
+    same_way = len(later) < 3 * _SIDE or _usual_step(later) / usual > 0.0
+    return -max(noise, 0.99) < apart <= _STEPS + noise and same_way
+
+
+def _usual_step(values: Array) -> float:
+    """Mean step between the first and the last third, which noise hardly moves."""
+    third = max(len(values) // 3, 1)
+    return float(np.median(values[-third:]) - np.median(values[:third])) / max(
+        len(values) - third, 1
+    )
+
+
+def _stays(before: Array, after: Array) -> bool:
+    """Whether a force is behind a seam what it was before: no other test, no release."""
+    count = min(_SIDE, len(before), len(after))
+    own, later = before[np.isfinite(before)], after[np.isfinite(after)]
+    if not len(own) or not len(later):
+        return False
+    apart = abs(float(np.median(later[:count]) - np.median(own[-count:])))
+    # what it may change over the readings looked at, at the rate of either side
+    rates = [abs(_usual_step(part[-3 * _SIDE :])) for part in (own, later[: 3 * _SIDE])]
+    noise = max(noise_level(own), noise_level(later))
+    largest = float(np.abs(np.concatenate([own, later])).max())
+    return apart < max(0.1 * largest, 3.0 * _SIDE * max(rates), 6.0 * noise)
 
 
 def side_by_side(named: Sequence[NamedColumn]) -> list[list[NamedColumn]]:

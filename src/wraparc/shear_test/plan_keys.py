@@ -74,7 +74,11 @@ _FILE_ENTRIES = (
     Entry("encoding", "As Python calls it.", Name(40)),
     Entry("sheet", "Sheet of a workbook.", Name(200)),
     Entry("table", "Which table of the file, from 1.", Count(1, 10000)),
-    Entry("block", "Which of the tests side by side in the table, from 1.", Count(1, 1000)),
+    Entry(
+        "block",
+        "Which of the tests in the table, side by side or under each other, from 1.",
+        Count(1, 1000),
+    ),
     Entry(
         "stress_area",
         "Area that the machine divided the force by, where the force column is a stress.",

@@ -2,29 +2,34 @@
 
 import hashlib
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
 
-from wraparc.arrays import Array
-from wraparc.errors import InputError, shown
+from wraparc.arrays import Array, Integers
+from wraparc.errors import InputError, format_list, shown
 from wraparc.machine_tables import (
     DELIMITER_NAMES,
     NamedColumn,
     NumeralStyle,
     RawTable,
+    column_words,
+    find_column,
     find_tables,
     looks_numeric,
     read_bytes,
     refused,
 )
 from wraparc.shear_test.choose import Chosen, choose_columns
+from wraparc.shear_test.clock import clock_seconds
+from wraparc.shear_test.divided import Part, divide
 from wraparc.shear_test.one_test import (
     further_tests,
     joined,
     last_row,
+    names_a_pull,
     off_trend,
     one_run,
     results_at_ends,
@@ -33,6 +38,7 @@ from wraparc.shear_test.one_test import (
 )
 from wraparc.shear_test.record import Choices, ColumnInfo, Dropped, MachineRecord
 from wraparc.shear_test.roles import Role, is_known, suitability
+from wraparc.shear_test.stated import Stated, stated_in_file
 
 _EXPORT = "Export travel and force, one row a reading."
 _FACTORS = re.compile(r"(?i)fa[ck]t|gain|scal|skal|multipl|verst|sensit|empf|offset|calib|kalib")
@@ -80,7 +86,7 @@ def read_machine_bytes(data: bytes, file: str, choices: Choices | None = None) -
 
 
 def read_machine_tests(path: str | Path, choices: Choices | None = None) -> list[MachineRecord]:
-    """Read all tests that stand side by side in the table of a machine's export.
+    """Read all tests that stand in the table of a machine's export, side by side or divided.
 
     Raises
     ------
@@ -115,17 +121,106 @@ def _records(data: bytes, file: str, chosen: Choices, *, every: bool) -> list[Ma
     blocks = side_by_side(named)
     if chosen.travel is not None and chosen.force is not None and chosen.block is None:
         blocks = [named]
-    wanted = _wanted_blocks(blocks, chosen, file, every=every)
-    data_of = _numbers(table, named, chosen, file)
+    read = _numbers(table, named, chosen, file)
+
+    def words(column: int) -> list[str]:
+        return column_words(data, table, column, found.encoding)
+
+    blocks = [_with_clock(block, read, words) for block in blocks]
+    tests = [test for block in blocks for test in _tests(table, block, read, chosen, words)]
+    if len(blocks) > 1:
+        tests = [replace(t, table=own, read=numbers) for t in tests
+                 for own, numbers in [_to_its_end(t.table, t.columns, t.read)]]  # fmt: skip
+    wanted = _wanted_tests(tests, len(blocks), chosen, file, every=every)
     notes = (*found.notes, *said)
     records = []
     for k in wanted:
-        own, numbers = (
-            _to_its_end(table, blocks[k], data_of) if len(blocks) > 1 else (table, data_of)
-        )
-        record = _record(own, blocks[k], numbers, chosen, source, notes)
-        records.append(replace(record, block=k + 1, blocks=len(blocks), unread=unread))
+        of = tests[k]
+        record = _record(of.table, of.columns, of.read, chosen, source, notes)
+        stated = _stated(of, record, words)
+        records.append(
+            replace(record, block=k + 1, blocks=len(tests), part=of.part, stated=stated,
+                    unread=unread)
+        )  # fmt: skip
     return records
+
+
+def _with_clock(
+    block: Sequence[NamedColumn], read: "_Numbers", words: Callable[[int], Sequence[str]]
+) -> list[NamedColumn]:
+    """Columns of a test; a time that a clock wrote has seconds, and numbers in `read`."""
+    found = []
+    for column in block:
+        is_time = suitability(column.name, Role.TIME) > 0.0
+        if is_time and not np.isfinite(read.values[column.index]).any():
+            seconds = clock_seconds(words(column.index))
+            if seconds is not None:
+                read.values[column.index] = seconds
+                column = replace(column, unit="s")  # noqa: PLW2901 - the same, understood
+        found.append(column)
+    return found
+
+
+@dataclass(frozen=True, eq=False)
+class _Test:
+    """One test of a table: its rows, its columns and their numbers, and what it is called."""
+
+    table: RawTable
+    columns: list[NamedColumn]
+    read: "_Numbers"
+    part: str
+    rows: Integers
+
+
+def _tests(
+    table: RawTable,
+    block: list[NamedColumn],
+    read: "_Numbers",
+    choices: Choices,
+    words: Callable[[int], Sequence[str]],
+) -> list[_Test]:
+    """Divide the rows of a table into its tests."""
+    travel = None if choices.travel is None else find_column(block, choices.travel)
+    parts = divide(block, read.values, words, travel)
+    if len(parts) == 1:
+        return [_Test(table, block, read, "", parts[0].rows)]
+    return [_rows_of(table, block, read, part) for part in parts]
+
+
+def _rows_of(table: RawTable, block: list[NamedColumn], read: "_Numbers", part: Part) -> _Test:
+    """Return the rows of one test of a table."""
+    rows = part.rows
+    first, last = (int(table.lines[rows[k]]) for k in (0, -1))
+    sheet = f"sheet {table.sheet!r}, rows" if table.sheet else "lines"
+    own = replace(
+        table,
+        place=f"{sheet} {first} to {last}",
+        columns=tuple(
+            cells[rows] if isinstance(cells, np.ndarray) else [cells[k] for k in rows.tolist()]
+            for cells in table.columns
+        ),
+        lines=table.lines[rows],
+        skipped=tuple(item for item in table.skipped if first <= item[0] <= last),
+        cut=table.cut and rows[-1] == len(table.lines) - 1,
+    )
+    values = {index: column[rows] for index, column in read.values.items()}
+    return _Test(own, block, replace(read, values=values), part.name, rows)
+
+
+def _stated(
+    of: _Test, record: MachineRecord, words: Callable[[int], Sequence[str]]
+) -> tuple[Stated, ...]:
+    """What the file says of a test in columns that are no readings, and above them."""
+    used = {column.name for column in record.columns if column.role}
+    one_word: dict[int, str] = {}
+    for column in of.columns:
+        if column.name and not np.isfinite(of.read.values[column.index]).any():
+            cells = words(column.index)
+            own = {cells[k].strip() for k in of.rows.tolist()}
+            if len(own) == 1:
+                one_word[column.index] = own.pop()
+    used_places = [c.index for c in of.columns if c.label in used]
+    return stated_in_file(of.columns, of.read.values, one_word, of.table.header, used_places)
 
 
 def _to_its_end(
@@ -147,12 +242,14 @@ def _to_its_end(
     return cut, replace(read, values=values)
 
 
-def _wanted_blocks(
-    blocks: Sequence[Sequence[NamedColumn]], choices: Choices, file: str, *, every: bool
+def _wanted_tests(
+    blocks: Sequence[_Test], beside: int, choices: Choices, file: str, *, every: bool
 ) -> list[int]:
-    """Which of the tests side by side are to be read, counted from 0."""
+    """Which of the tests of a table are to be read, counted from 0."""
+    under = f" under each other ({blocks[0].part}, ...)" if blocks[0].part else ""
+    where = " side by side" if beside > 1 else under
     if choices.block is not None and not 1 <= choices.block <= len(blocks):
-        count = f"{len(blocks)} tests side by side" if len(blocks) > 1 else "one test only"
+        count = f"{len(blocks)} tests{where}" if len(blocks) > 1 else "one test only"
         raise refused(
             file,
             f"contains {count}",
@@ -166,7 +263,7 @@ def _wanted_blocks(
         return list(range(len(blocks)))
     raise refused(
         file,
-        f"contains {len(blocks)} tests side by side",
+        f"contains {len(blocks)} tests{where}",
         "Write block = 1 for the first (wraparc read FILE shows all).",
     )
 
@@ -223,11 +320,14 @@ def _pick_table(
         raise _only_settings(tables, file)
     best = max(readings, key=_merit)
     _refuse_ragged(tables, best, file)
-    pieces = one_run(readings, best)
+    pieces = one_run(readings, best, choices)
     if len(pieces) > 1:
         whole = joined(pieces)
-        note = f"the run was written in {len(pieces)} pieces, {whole.place}, and read as one"
-        return whole, (note,), further_tests(tables, pieces)
+        notes = [f"the run was written in {len(pieces)} pieces, {whole.place}, and read as one"]
+        left = [f"{t.place} ({t.rows} rows)" for t in tables if t not in pieces and t.rows > 1]
+        if left:
+            notes.append(f"not read, for they do not go on from it: {format_list(left, 5)}")
+        return whole, tuple(notes), further_tests(tables, pieces)
     others = [f"{t.place} ({t.rows} rows)" for t in tables if t is not best and t.rows > 1]
     if not others:
         return best, (), 0
@@ -250,11 +350,7 @@ def _only_settings(tables: Sequence[RawTable], file: str) -> InputError:
 
 def _merit(table: RawTable) -> tuple[bool, int]:
     """Tables with a travel and a force by name come first, then the longest."""
-    columns, _ = table.named(is_known)
-    known = all(
-        any(suitability(c.name, role) > 0 for c in columns) for role in (Role.TRAVEL, Role.FORCE)
-    )
-    return known and table.rows >= 3, table.rows
+    return names_a_pull(table) and table.rows >= 3, table.rows
 
 
 def _refuse_ragged(tables: Sequence[RawTable], best: RawTable, file: str) -> None:
@@ -333,14 +429,30 @@ def _record(
         travel=picked[Role.TRAVEL],
         force=picked[Role.FORCE],
         normal_force=picked.get(Role.NORMAL_FORCE),
-        time=picked.get(Role.TIME),
+        time=_going_on(picked.get(Role.TIME)),
         lines=table.lines[keep],
         rows=table.rows,
         dropped=dropped,
         notes=(*notes, *texts, *chosen.notes),
+        passed_over=chosen.passed_over,
         header=tuple(" ".join(filter(None, row)) for row in table.header),
         digest=source.digest,
     )
+
+
+def _going_on(time: Array | None) -> Array | None:
+    """Time that goes on over the pieces of a run, each of which counts from its own start."""
+    if time is None or len(time) < 3:
+        return time
+    steps = np.diff(time)
+    usual = float(np.nanmedian(steps))
+    back = np.flatnonzero(steps < -3.0 * abs(usual))
+    if not len(back) or usual <= 0.0:
+        return time
+    shift = np.zeros(len(time))
+    for k in back:
+        shift[k + 1 :] += usual - steps[k]
+    return np.asarray(time + shift)
 
 
 def _refuse_factors(table: RawTable, file: str) -> None:

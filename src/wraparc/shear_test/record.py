@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from wraparc.arrays import Array, Integers
+from wraparc.shear_test.stated import Stated
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -30,7 +31,8 @@ class Choices:
     table
         Number of the table in the file, counted from 1.
     block
-        Which of several tests that stand side by side in the table, counted from 1.
+        Which of several tests that stand in the table, side by side or under each other,
+        counted from 1.
     stress_area
         Area that the machine divided the force by, where the force column is a stress [m2].
     in_plan
@@ -117,7 +119,14 @@ class MachineRecord:
     digest
         SHA-256 of the file, by which duplicates are recognised.
     block, blocks
-        Which test of those side by side in the table this is, and how many there are.
+        Which test of those in the table this is, side by side or under each other, and how many
+        there are.
+    part
+        What the file calls this test of those under each other, such as ``"test_id T1"``.
+    stated
+        What the file says of the test beside its readings.
+    passed_over
+        Columns that might have been taken as well, and were not.
     unread
         Further tables of the file with the same columns that were not read.
     """
@@ -140,4 +149,11 @@ class MachineRecord:
     digest: str
     block: int = 1
     blocks: int = 1
+    part: str = ""
+    stated: tuple[Stated, ...] = ()
+    passed_over: tuple[str, ...] = ()
     unread: int = 0
+
+    def unit_of(self, role: str) -> str:
+        """Unit of the column of a role as written; empty where it is not known."""
+        return next((column.unit for column in self.columns if column.role == role), "")

@@ -3,7 +3,9 @@
 Such a record reads like a sound one, and a law follows it well; only its numbers tell.
 """
 
+from collections.abc import Sequence
 from dataclasses import replace
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -11,6 +13,7 @@ import numpy as np
 from wraparc.arrays import Array, Integers
 from wraparc.shear_test.noise import noise_level
 from wraparc.shear_test.record import MachineRecord
+from wraparc.shear_test.strokes import Stroke
 from wraparc.units import Cell
 
 #: How stick-slip is fitted: the middle of its swings, or their upper or lower ends.
@@ -30,16 +33,24 @@ _BLOCK, _DIFFERENT = 8, 5
 # Stretches of travel in which a rise is looked at, and what it may go on by after a stall, of the
 # largest friction. Ours.
 _STRETCHES, _STALL, _CLEAR = 60, 0.06, 5.0
+# Largest over smallest force of strokes that are tests of their own: where the way back was not
+# written, and where it was; rows between strokes without one. Ours.
+_UNLIKE_JUMPS, _UNLIKE, _JUMP_ROWS = 1.3, 2.0, 2
 _PERIODS, _LEAST_MEMORY = 5, 0.15
+# Skewness of the steps times the root of their number, and excess kurtosis, below which swings are
+# no noise of a rig: one of 100 records of such noise is beyond (of AR(2), 125 and 1,000 readings).
+_FALLS, _ONE_SIZE = -6.0, -1.2
 # Standard deviations of such a memory by chance; less where the plan says that it is stick-slip.
 _NO_CHANCE, _NO_CHANCE_IF_SAID = 3.5, 2.5
 
 
 class Fault(NamedTuple):
-    """What is wrong with a record: what it is about, so that the same of many is said once."""
+    """What is wrong with a record, in the fields of `misfit.Sentence`."""
 
     about: str
     text: str
+    headline: str = ""
+    action: str = ""
 
 
 class Swing(NamedTuple):
@@ -146,7 +157,9 @@ def travel_faults(record: MachineRecord, rows: Integers, direction: int) -> list
     if len(held) >= least:
         half = max(len(held) // 4, 1)
         begin, end = (float(np.median(load[part])) for part in (held[:half], held[-half:]))
-        if end > 0.99 * begin:
+        early = float(np.median(load[held[half : 2 * half]]))
+        relaxes = begin - early > 0.5 * (begin - end) > 0.005 * begin
+        if end > 0.99 * begin or (not relaxes and end > 0.5 * begin):
             found.append(
                 f"the travel is constant at its maximum in {len(held)} readings, to the digit, "
                 "and the force does not relax: the travel was at the end of its sensor, and the "
@@ -163,6 +176,27 @@ def travel_faults(record: MachineRecord, rows: Integers, direction: int) -> list
         )
     faults = [Fault("travel at its end", text) for text in found]
     return faults + _gap(travel, record.lines[rows])
+
+
+def unlike_strokes(record: MachineRecord, found: Sequence[Stroke]) -> list[Fault]:
+    """What several strokes show: loads so unlike that they are tests of their own.
+
+    Run-in changes friction, and not to twice as much; where the way back was not written, the
+    strokes may be tests that somebody has put under each other, of whatever loads.
+    """
+    tops = [float(np.quantile(np.abs(record.force[s.rows]), 0.95)) for s in found]
+    ends = [(int(a.rows[-1]) + a.released, int(b.rows[0])) for a, b in pairwise(found)]
+    jumps = all(b - a <= _JUMP_ROWS for a, b in ends)
+    if max(tops) < (_UNLIKE_JUMPS if jumps else _UNLIKE) * min(tops):
+        return []
+    place = int(record.lines[ends[0][1]])
+    text = (
+        f"its {len(found)} strokes reach {tops[0]:.4g} to {max(tops):.4g} N, the next from line "
+        f"{place} on: tests of their own under each other? Divide the file, or name the test of "
+        "each row in a column"
+    )
+    head = f"{len(found)} strokes of unlike force, maybe several tests"
+    return [Fault("unlike strokes", text, head, "Divide the file, one test each.")]
 
 
 def _gap(travel: Array, lines: Integers) -> list[Fault]:
@@ -224,9 +258,34 @@ def swing(travel: Array, friction: Array, top: float, *, said: bool = False) -> 
     least = max(_LEAST_MEMORY, (_NO_CHANCE_IF_SAID if said else _NO_CHANCE) * by_chance)
     if not len(tops) or memory[tops].max() < least:
         return None
+    if not said and not _is_stick_slip(off):
+        return None
     # Of swings that are not all alike the second return may be the better one.
     period = int(tops[memory[tops] > 0.6 * memory[tops].max()][0])
     return Swing(size, period * float(x[-1] - x[0]) / (count - 1), period)
+
+
+def _is_stick_slip(off: Array) -> bool:
+    """Whether swings fall faster than they rise, or are of one size, as noise of a rig is not.
+
+    Noise that a wheel or a filter makes periodic rises as fast as it falls, and comes and goes:
+    its readings are normal.
+
+    Parameters
+    ----------
+    off
+        Friction less its trend, shape (n,).
+    """
+    step = np.diff(off)
+    step = step - step.mean()
+    skewness = float((step**3).mean()) / float((step**2).mean()) ** 1.5
+    return skewness * np.sqrt(len(off)) < _FALLS or excess_kurtosis(off) < _ONE_SIZE
+
+
+def excess_kurtosis(values: Array) -> float:
+    """Return the excess kurtosis of readings: 0 of normal ones, -1.5 of a sine, -1.2 of teeth."""
+    off = values - values.mean()
+    return float((off**4).mean()) / float((off**2).mean()) ** 2 - 3.0
 
 
 def stall(travel: Array, friction: Array, top: float, onset: float) -> list[Fault]:

@@ -22,9 +22,11 @@ from wraparc.shear_test.record_faults import (
     stall,
     swing,
     travel_faults,
+    unlike_strokes,
     without_repeats,
 )
 from wraparc.shear_test.strokes import Stroke, find_strokes
+from wraparc.shear_test.travel_units import meant_travel
 
 LEAST_POINTS = 10
 #: Which pull of a record is used: the first, the last (after run-in cycles), the readings of all,
@@ -49,6 +51,8 @@ _LIKELY = 0.6
 #: (one standard deviation), and the most that is taken for one. Ours.
 UNKNOWN_ZERO, MOST_ZERO = 0.02, 0.1
 _LEAST_BEFORE = 3
+# A record of fewer readings is looked at reading by reading. Ours.
+_SPARSE = 100
 _LEAST_TRAVEL, _MOST_TRAVEL, _MOST_FORCE = 1e-6, 10.0, 1e9
 
 
@@ -128,6 +132,10 @@ class FrictionCurve:
         What the record shows of its own recording.
     swing
         Its stick-slip, if there is any.
+    other_strokes
+        Strokes of the record that were not used.
+    read_off
+        What slip [m] and friction [-] of a point may be wrong by, of a curve read off a figure.
     """
 
     travel: Array
@@ -148,6 +156,8 @@ class FrictionCurve:
     notes: tuple[str, ...]
     faults: tuple[Fault, ...] = ()
     swing: Swing | None = None
+    other_strokes: int = 0
+    read_off: tuple[float, float] = (0.0, 0.0)
 
 
 def reduce_record(record: MachineRecord, sample: Sample) -> FrictionCurve:
@@ -179,6 +189,7 @@ def reduce_record(record: MachineRecord, sample: Sample) -> FrictionCurve:
     for stroke in used:
         _check(record, stroke.rows)
         faults += travel_faults(record, stroke.rows, stroke.direction)
+    faults += unlike_strokes(record, found) if len(used) < len(found) else []
     travel, pull, normal = _pulled(record, sample, used)
     sign = 1.0 if np.median(pull[len(pull) // 5 :]) >= 0 else -1.0
     if sample.recorded:
@@ -214,12 +225,13 @@ def reduce_record(record: MachineRecord, sample: Sample) -> FrictionCurve:
         zero=zero[0] if zero else None,
         zero_error=zero[1] if zero else 0.0,
         zero_unknown=_zero_unknown(friction, friction[travel < 0.75 * onset], zero is None, top),
-        first_friction=float(np.median(friction[:5])),
+        first_friction=float(np.median(friction[: _first_readings(len(friction))])),
         top=top,
         onset=onset,
         notes=notes,
         faults=tuple(faults),
         swing=swings,
+        other_strokes=len(found) - len(used),
     )
 
 
@@ -240,7 +252,8 @@ def _check(record: MachineRecord, rows: np.ndarray[tuple[int], np.dtype[np.int64
     if not _LEAST_TRAVEL < advance < _MOST_TRAVEL or largest > _MOST_FORCE:
         raise _refused(
             record,
-            f"implausible travel {advance:.3g} m at force {largest:.3g} N",
+            f"implausible travel {advance:.3g} m at force {largest:.3g} N"
+            f"{meant_travel(advance, record.unit_of('travel'))}",
             "Check columns and units: wraparc read FILE.",
         )
     if len(np.unique(record.travel[rows])) < LEAST_POINTS:
@@ -309,15 +322,16 @@ def _start(travel: Array, friction: Array) -> tuple[float, tuple[float, float] |
     Before the lash is taken up the record is flat: its level is an error of the force's zero.
     """
     top = float(np.quantile(friction, 0.98))
-    base = float(np.median(friction[: max(5, len(friction) // 200)]))
+    base = float(np.median(friction[: _first_readings(len(friction))]))
     if abs(base) > 0.5 * abs(top):
         return 0.0, None
     spread = max(noise_level(friction), 1e-4 * abs(top))
-    width = max(3, len(friction) // 500)
+    width = max(3, len(friction) // 500) if len(friction) >= _SPARSE else 1
     smooth = np.convolve(friction, np.ones(width) / width, mode="valid")
     above = smooth > base + max(0.03 * (top - base), 4.0 * spread / np.sqrt(width))
     # The start of a lasting rise, not a wiggle.
-    lasting = np.convolve(above, np.ones(5), mode="valid") >= 5
+    lasts = min(5, max(2, len(friction) // 12))
+    lasting = np.convolve(above, np.ones(lasts), mode="valid") > lasts - 0.5
     first = int(np.argmax(lasting)) if lasting.any() else 0
     onset = float(travel[min(first + width // 2, len(travel) - 1)])
     flat = friction[travel < 0.75 * onset]
@@ -328,6 +342,11 @@ def _start(travel: Array, friction: Array) -> tuple[float, tuple[float, float] |
     if abs(rise) > max(0.01 * top, 6.0 * error):
         return onset, None
     return onset, (float(np.median(flat)), error)
+
+
+def _first_readings(count: int) -> int:
+    """Readings at the start that show what stands before the rise: fewer of a sparse record."""
+    return max(1, min(5, count // 40), count // 200)
 
 
 def _zero_unknown(friction: Array, before: Array, missing: bool, top: float) -> float:

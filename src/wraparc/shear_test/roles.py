@@ -31,7 +31,7 @@ ROLE_DIMENSION: dict[Role, Dimension] = {
 
 # Stems of names, accents and case taken off; the longest that fits counts. English, German,
 # French, Spanish, Portuguese, Italian, Polish, Czech, Dutch, Swedish, Turkish, Russian,
-# Japanese, Chinese.
+# Japanese, Chinese, Korean; of time Finnish, Hungarian, Romanian, Greek and Ukrainian too.
 _STEMS: dict[Role, str] = {
     Role.TRAVEL: (
         "extension displacement stroke travel crosshead crshd xhead elongation actuator lvdt"
@@ -42,17 +42,19 @@ _STEMS: dict[Role, str] = {
         " corsa allungamento przemieszczenie poslizg skok droga wydluzenie draha posun posuv"
         " prodlouzeni verplaatsing slag forlangning forskjutning traversposition"
         " yer degistirme uzama перемещение смещение путь ход удлинение"
-        " 変位 ストローク 移動量 すべり 位移 行程 滑移 伸び"
+        " 変位 ストローク 移動量 すべり 位移 行程 滑移 伸び 변위 이동 스트로크 신율"
         " position machine disp ext"
     ),
     Role.FORCE: (
         "force load kraft last -last charge effort fuerza carga"
         " forca esforco forza carico sila obciazenie zatizeni kracht belasting belastning kuvvet"
-        " yuk сила усилие нагрузка 荷重 試験力 力 载荷 负荷 fx f_x ff f_f fr f_r ft f_t f"
+        " yuk сила усилие нагрузка 荷重 試験力 力 载荷 负荷 載荷 負荷 하중 시험력 힘"
+        " fx f_x ff f_f fr f_r ft f_t f"
     ),
     Role.NORMAL_FORCE: ("fn f_n fz f_z"),
     Role.TIME: (
-        "time zeit prufzeit temps tiempo tempo czas cas tijd tid zaman elapsed время 時間 时间 t"
+        "time zeit prufzeit temps tiempo tempo czas cas tijd tid zaman sure elapsed время 時間 时间"
+        " 시간 aika ido timp χρονος час laufzeit duree uhrzeit hora ora heure 時刻 时刻 시각 t"
     ),
 }
 # What was asked for, not what was measured: a set-point is never taken for a reading.
@@ -118,7 +120,7 @@ _COEFFICIENT = _for_plain_names(
 )
 _PRESSES, _SLIDES = _for_plain_names(_NORMAL), _for_plain_names(_ALONG)
 _ACROSS = _for_plain_names(
-    r"^[yz]\b|\b[yz]$|depth|height|wear|thick|\bgap\b|tiefe|hohe|dicke|spalt|verschleiss"
+    r"^[yz]\b|\b[yz]$|\b(?:pos|posn|axis|achse|disp|stage|motor|probe|weg|ch\d*)z\b|depth|height|wear|thick|\bgap\b|tiefe|hohe|dicke|spalt|verschleiss"
     r"|epaisseur|profond|hauteur|usure|espesor|altura|grosor|desgaste|grubosc|zuzycie"
     r"|^z\b|dilat|sink|settle|setzung|einfeder|tassement|enfonc|asentam|recalque|cediment"
     rf"|износ|осадк|磨损|摩耗|沈下|{_NORMAL}"

@@ -9,13 +9,16 @@ from wraparc.shear_test.analysis import Findings, LeftOut, TestResult
 from wraparc.shear_test.budget import UNKNOWN_COMPLIANCE, Uncertainty
 from wraparc.shear_test.campaign import lot_sentences, order_sentences
 from wraparc.shear_test.consistency import FAR, USUAL
+from wraparc.shear_test.copies import copy_sentences
 from wraparc.shear_test.curve_fit import fit_curve
+from wraparc.shear_test.lash import lash_sentences
 from wraparc.shear_test.load_slips import load_questions, set_questions, surface_questions
-from wraparc.shear_test.misfit import OTHER_PRESSURE
+from wraparc.shear_test.misfit import OTHER_PRESSURE, Misfit, Sentence
 from wraparc.shear_test.plan import TestPlan
 from wraparc.shear_test.pressure_choice import PressureChoice
 from wraparc.shear_test.pressure_fit import PressureFit
 from wraparc.shear_test.reduce import UNKNOWN_ZERO
+from wraparc.shear_test.rig_faults import rig_sentences
 from wraparc.shear_test.speeds import per_minute, speed_sentences
 from wraparc.shear_test.student import t95
 from wraparc.units import Cell, Dimension, per_stress, quantity
@@ -40,11 +43,13 @@ def law_sentences(plan: TestPlan, found: Findings) -> tuple[tuple[str, ...], tup
     order_remarks: list[str] = []
     misfit = set_questions(plan, tests)
     misfit += _of_curves(tests, OTHER_PRESSURE if misfit else "")
-    misfit += _repeats(tests, found) + by_speed
+    misfit += rig_sentences(plan, found) + copy_sentences(tests)
+    misfit += lash_sentences(tests) + _repeats(tests, found) + by_speed
     misfit += load_questions(tests, found.points, found.flagged)
     if law is not None:
         misfit += _curves_off(tests, law, found)
-        misfit += _predictions(found.left_out) + _wide(tests, law, found) + _rises(law, found)
+        misfit += _predictions(found.left_out) + _rises(law, found)
+        misfit += [] if plan.digitised else _wide(tests, law, found)  # nobody repeats a figure
         by_order, order_remarks = order_sentences(tests, law, found.points, found.flagged)
         misfit += by_order + lot_sentences(tests, found.levels)
         order_remarks = [] if plan.digitised else order_remarks
@@ -239,17 +244,20 @@ def _range(values: Sequence[float], of: Dimension) -> str:
 
 def _of_curves(tests: Sequence[TestResult], told: str) -> list[str]:
     """What single curves show, but for what is told; the same of more than a few is said once."""
-    about: dict[str, list[tuple[TestResult, str]]] = {}
+    about: dict[str, list[tuple[TestResult, Sentence]]] = {}
     for test in tests:
         for sentence in (s for s in test.judged.misfit if s.about != told):
-            about.setdefault(sentence.about, []).append((test, sentence.text))
-    found = []
+            about.setdefault(sentence.about, []).append((test, sentence))
+    found: list[str] = []
     for cases in about.values():
+        test, said = cases[0]
+        many = f" and {len(cases) - 1} more" if len(cases) > 1 else ""
+        head = f"{said.headline} ({test.test.file}{many})" if said.headline else ""
         if len(cases) <= _FEW:
-            found += [f"{test.name}: {text}" for test, text in cases]
+            texts = [f"{test.name}: {sentence.text}" for test, sentence in cases]
         else:
-            test, text = cases[0]
-            found.append(f"{len(cases)} of {len(tests)} tests, as {test.name}: {text}")
+            texts = [f"{len(cases)} of {len(tests)} tests, as {test.name}: {said.text}"]
+        found += [Misfit(texts[0], head, said.action), *texts[1:]]
     return found
 
 

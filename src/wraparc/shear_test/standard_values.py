@@ -14,6 +14,7 @@ import numpy as np
 
 from wraparc.arrays import Array
 from wraparc.shear_test.analysis import ConditionResult, TestResult
+from wraparc.shear_test.lash import is_s_shaped, lash_errors, lash_in_friction
 
 #: Slips that design values of friction are compared at [m]; 6.35 mm is a quarter inch.
 STANDARD_SLIPS = (1e-3, 2e-3, 4e-3, 6.35e-3, 10e-3)
@@ -129,6 +130,7 @@ def law_at_slips(condition: ConditionResult) -> tuple[Array, Array]:
 
     Up to the peak ln mu = ln mu_pk + ln r + ln(1 - ln r) with r = x/x_pk, so that
     d ln mu = d ln mu_pk + ln r/(1 - ln r) d ln x_pk; past it the uncertainty is that of the peak.
+    What the lash of the tests is uncertain by is added, as a slip.
 
     Returns
     -------
@@ -144,7 +146,14 @@ def law_at_slips(condition: ConditionResult) -> tuple[Array, Array]:
     by_peak = np.stack([ln_r / (1.0 - ln_r), np.ones_like(ln_r)], axis=-1)
     covariance = condition.fit.own_covariance(pressure)
     variance = np.einsum("nsi,nij,nsj->ns", by_peak, covariance, by_peak)
-    return friction, condition.fit.coverage_factor * np.sqrt(variance) * friction
+    found = condition.found
+    by_lash, s_shaped = [], is_s_shaped(found.tests)
+    for level, peak in zip(np.unique(found.levels), condition.fit.peaks(pressure), strict=True):
+        tests = [t for t, own in zip(found.tests, found.levels, strict=True) if own == level]
+        slip, top = (float(value) for value in np.exp(peak))
+        by_lash.append(lash_in_friction(slips, slip, top, lash_errors(tests, s_shaped=s_shaped)))
+    spread = np.hypot(np.sqrt(variance) * friction, by_lash)
+    return friction, condition.fit.coverage_factor * spread
 
 
 def friction_at(test: TestResult, slip: float) -> float:

@@ -6,10 +6,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from wraparc.arrays import Array, Integers
+from wraparc.shear_test.noise import noise_level
 
 # A turn back counts as one if it is longer than this part of the whole travel.
 _TURN = 0.02
 _DROP = 0.6
+# Share of the largest load below which a part of a record is none, whatever it rises from. Ours.
+_LIGHT = 0.02
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,8 +38,9 @@ def find_strokes(travel: Array, force: Array) -> list[Stroke]:
     """Find the pulls in a record, in order; none if the travel does not advance.
 
     The travel is cut where it turns back by more than 2 % of its range. Of the parts, those of
-    at least 80 % of the largest advance and 20 % of the largest load, in the direction of the
-    first of them, are pulls; an approach without load and the ways back are none.
+    at least 80 % of the largest advance, and of 20 % of the largest load or of a load that rises
+    from nothing, in the direction of the first of them, are pulls; an approach without load and
+    the ways back are none.
     """
     span = float(np.ptp(travel))
     if len(travel) < 2 or span <= 0.0:
@@ -64,8 +68,17 @@ def _pulls(parts: list[tuple[int, int]], travel: Array, load: Array) -> list[tup
     return [
         part
         for part, advance, mean in zip(parts, advances, loads, strict=True)
-        if advance >= 0.8 * max(advances) and mean >= 0.2 * max(loads)
+        if advance >= 0.8 * max(advances)
+        and (mean >= 0.2 * max(loads) or _rises(load[part[0] : part[1] + 1], max(loads)))
     ] or [parts[advances.index(max(advances))]]
+
+
+def _rises(load: Array, largest: float) -> bool:
+    """Whether a light load comes from nothing, as that of a pull does, and is more than noise."""
+    begin = float(np.median(load[: max(3, len(load) // 50)]))
+    end = load[len(load) // 2 :]
+    level = float(np.median(end))
+    return level > max(_LIGHT * largest, 3.0 * begin, 5.0 * noise_level(end))
 
 
 def _turning_points(travel: Array, tolerance: float) -> list[int]:
