@@ -117,6 +117,25 @@ def complaint(value: Any, dimension: Dimension) -> str:
         ("6 rad/s", "rotation_speed", 6.0),
         ("1.5 t", "mass", 1500.0),
         ("1 lbm", "mass", 0.45359237),
+        # printed units: a pound is one of mass where only a mass can stand (NIST SP 811)
+        ("1 lb", "mass", 0.45359237),
+        ("30 lb/ft", "mass_per_length", 30 * 0.45359237 / 0.3048),
+        ("30 lbs/ft", "mass_per_length", 30 * 0.45359237 / 0.3048),
+        ("30 lbm/ft", "mass_per_length", 30 * 0.45359237 / 0.3048),
+        ("1000 lbs/in", "force_per_width", 1000 * 4.4482216152605 / 0.0254),
+        ("1000 lb/ft", "force_per_width", 1000 * 4.4482216152605 / 0.3048),
+        ("200 lb ft2", "moment_of_inertia", 200 * 0.45359237 * 0.3048**2),
+        ("200 lb-ft2", "moment_of_inertia", 200 * 0.45359237 * 0.3048**2),
+        ("1500 t/h", "mass_flow", 1500 / 3.6),
+        ("1500 tph", "mass_flow", 1500 / 3.6),
+        ("1500 TPH", "mass_flow", 1500 / 3.6),
+        ("1500 mtph", "mass_flow", 1500 / 3.6),
+        ("1500 stph", "mass_flow", 1500 * 907.18474 / 3600),
+        ("1500 STPH", "mass_flow", 1500 * 907.18474 / 3600),
+        ("1500 ltph", "mass_flow", 1500 * 1016.0469088 / 3600),
+        ("1500 lb/h", "mass_flow", 1500 * 0.45359237 / 3600),
+        ("20 ston", "mass", 20 * 907.18474),
+        ("3.5 mps", "speed", 3.5),
         ("0.35", "number", 0.35),
         ("35 %", "number", 0.35),
         ("2 mm/m", "number", 0.002),
@@ -144,7 +163,10 @@ PINT_NAMES = {
     "PS": "metric_horsepower", "HP": "hp", "fpm": "ft/min", "fps": "ft/s", "kmh": "kph",
     "RPM": "rpm", "%": "percent", "sec": "s", "d": "day", "rev": "turn", "mi": "mile",
     '"': "inch", "bhp": "hp", "BHP": "hp", "cv": "metric_horsepower", "CV": "metric_horsepower",
-    "hp(metric)": "metric_horsepower", "FPM": "ft/min",
+    "hp(metric)": "metric_horsepower", "FPM": "ft/min", "mps": "m/s", "ston": "short_ton",
+    "stons": "short_ton", "lton": "long_ton", "ltons": "long_ton", "tph": "tonne/h",
+    "TPH": "tonne/h", "mtph": "tonne/h", "MTPH": "tonne/h", "stph": "short_ton/h",
+    "STPH": "short_ton/h", "ltph": "long_ton/h", "LTPH": "long_ton/h",
 }  # fmt: skip
 
 
@@ -169,6 +191,85 @@ def test_every_unit_agrees_with_pint(name: str, registry: "pint.UnitRegistry[flo
 
 
 # ---- refusals ----
+
+
+@pytest.mark.parametrize(
+    ("text", "dimension", "sentence"),
+    [
+        (
+            "1500 ton/h", "mass_flow",
+            'ton may be metric, short or long, got "1500 ton/h". Write t/h (1000 kg), ston/h '
+            "(2000 lb) or lton/h (2240 lb).",
+        ),
+        (
+            "20 tons", "force",
+            'tons may be metric, short or long, got "20 tons". Write tf (1000 kgf) or kip (1000 '
+            "lbf).",
+        ),
+        (
+            "20 ton", "length",
+            'ton may be metric, short or long, got "20 ton". Write for example "1200 mm".',
+        ),
+        (
+            "60 kg", "force",
+            'a mass, where a force is needed, got "60 kg". Write kgf if it is a force.',
+        ),
+        (
+            "100 kg/cm", "force_per_width",
+            'a mass per length, where a force per width is needed, got "100 kg/cm". Write kgf/cm '
+            "if it is a force.",
+        ),
+        (
+            "7 kg/cm2", "pressure",
+            'of no dimension used here, where a pressure is needed, got "7 kg/cm2". Write kgf/cm2 '
+            "if it is a force.",
+        ),
+        (
+            "30 lbf/ft", "mass_per_length",
+            'a force per width, where a mass per length is needed, got "30 lbf/ft". Write lbm/ft '
+            "if it is a mass.",
+        ),
+        ("20 KN/M", "force_per_width", 'unknown unit "KN", got "20 KN/M". Did you mean kN/m?'),
+        ("20 T/H", "mass_flow", 'unknown unit "T", got "20 T/H". Did you mean t/h?'),
+        (
+            "3 m", "force",
+            'a length, where a force is needed, got "3 m". Write for example "150 kN".',
+        ),
+    ],
+)  # fmt: skip
+def test_a_hint_says_what_to_write(text: str, dimension: Dimension, sentence: str) -> None:
+    with pytest.raises(InputError) as caught:
+        parse_quantity(text, dimension)
+    assert str(caught.value) == sentence
+
+
+@pytest.mark.parametrize("dimension", DIMENSIONS)
+def test_no_hint_names_a_unit_of_another_dimension(dimension: Dimension) -> None:
+    """Every unit with a letter too many, alone and in a quotient: what is offered can be read."""
+    for name in unit_names():
+        for text in (f"{name}q", f"{name}q/h", f"kq/{name}", f"{name.swapcase()}/M"):
+            try:
+                parse_quantity(f"3 {text}", dimension)
+            except InputError as error:
+                _readable(error.problems[0].remedy, text, dimension)
+
+
+def _readable(remedy: str, text: str, dimension: Dimension) -> None:
+    """Assert that one of the units offered, whole or for its part, is of the dimension."""
+    meant = remedy.removeprefix("Did you mean ").removesuffix("?")
+    if meant == remedy:
+        return
+    for unit in meant.split(" or "):
+        parts = [unit, *(text.replace(part, unit) for part in text.split("/"))]
+        assert any(_is_of(part, dimension) for part in parts), (text, dimension, remedy)
+
+
+def _is_of(unit: str, dimension: Dimension) -> bool:
+    try:
+        parse_quantity(f"3 {unit}", dimension)
+    except InputError:
+        return False
+    return True
 
 
 @pytest.mark.parametrize(
@@ -250,7 +351,7 @@ def test_every_unit_agrees_with_pint(name: str, registry: "pint.UnitRegistry[flo
             'kN".'),
         ),
         ("5 mm", 'a length, where a force is needed, got "5 mm". Write for example "150 kN".'),
-        ("5 kg", 'a mass, where a force is needed, got "5 kg". Write for example "150 kN".'),
+        ("5 kg", 'a mass, where a force is needed, got "5 kg". Write kgf if it is a force.'),
         ("5 kN kN", ('of no dimension used here, where a force is needed, got "5 kN kN". '
                     'Write for example "150 kN".')),
         ("5 kn", 'unknown unit "kn", got "5 kn". Did you mean kN?'),

@@ -124,14 +124,21 @@ def test_a_wrap_angle_or_a_belt_path_is_needed() -> None:
         drive_from_text(DRIVE[:start])
 
 
-def test_one_conveyor_has_one_drive_pulley(tmp_path: Path) -> None:
+def test_several_drives_of_a_conveyor_need_their_shares(tmp_path: Path) -> None:
     second = '\n[[pulley]]\nname = "b"\ndiameter = "1 m"\nwrap = "180 deg"\n'
     second += 'lagging = "diamond-rubber"\n'
-    with pytest.raises(InputError, match="conveyor: goes with one drive pulley, not 2"):
+    with pytest.raises(
+        InputError, match=r"conveyor: has 2 drive pulleys and no \[train\] with their shares"
+    ):
         drive_from_text(DRIVE + second)
     file = tmp_path / "train.toml"
-    file.write_text(DRIVE + second + '[train]\nshare = ["50 %", "50 %"]\n', "utf-8")
-    with pytest.raises(InputError, match=r"conveyor: contradicts the tensions in \[train\]"):
+    shared = DRIVE.replace('counterweight = "8 t"', 'counterweight = "20 t"') + second
+    file.write_text(f'{shared}[train]\nshare = ["60 %", "40 %"]\n', "utf-8")
+    full = load_train(file).cases[0]
+    one = drive_from_text(DRIVE.replace('"8 t"', '"20 t"')).load_cases[0].tensions["head"]
+    assert (full.entry_tension, full.exit_tension) == pytest.approx((one.entry, one.exit))
+    file.write_text(f'{shared}[train]\nentry_tension = "9 kN"\nshare = ["60 %", "40 %"]\n', "utf-8")
+    with pytest.raises(InputError, match=r"train.entry_tension: the \[conveyor\] table gives"):
         load_train(file)
 
 

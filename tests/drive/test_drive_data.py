@@ -75,7 +75,7 @@ def test_a_drive_survives_pickling() -> None:
             lambda: Belt(name=" ", width=0.0, modulus=-1e6, rating=math.nan, speed=0.0),
             [
                 'name: must be a printable text of 1 to 60 characters, got " ".',
-                "width: must be between 1 mm and 1000 m, got 0 mm.",
+                "width: must be between 1 mm and 10 m, got 0 mm.",
                 "modulus: must be at least 1 kN/m, got -1000 kN/m.",
                 "rating: must be finite, got nan kN/m.",
                 "speed: must be more than 0 m/s and at most 1000 m/s, got 0 m/s.",

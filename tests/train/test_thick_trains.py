@@ -146,7 +146,7 @@ def test_a_trim_between_drums_that_differ_asks_for_the_thickness(
     assert [c.level for c in asked] == [Level.ATTENTION] * (shift is not None)
     if shift is not None:
         assert in_units(asked[0].text) == (
-            f"Trim uncertain by {shift}: belt thickness missing (p2, full)."
+            f"Speed trim uncertain by {shift}: belt thickness missing (p2, full)."
         )
         assert in_units(asked[0].action_text) == "Give pulley_cover, carry_cover and carcass."
         assert judge(result).level is not Level.OK

@@ -1,12 +1,13 @@
 """Sourced data: belts, laggings, design values of friction, costs."""
 
+from wraparc.catalogue.catalogue_belt import CatalogueBelt
 from wraparc.catalogue.loader import (
-    CatalogueBelt,
     DesignFriction,
     LaggingCost,
     belt,
     belts,
     design_friction,
+    find_belt,
     lagging_costs,
     lagging_names,
     lagging_text,
@@ -22,6 +23,7 @@ __all__ = [
     "belt",
     "belts",
     "design_friction",
+    "find_belt",
     "lagging_costs",
     "lagging_names",
     "lagging_text",

@@ -9,6 +9,7 @@ from functools import cache, lru_cache
 from pathlib import Path
 from typing import Any
 
+from wraparc.catalogue.catalogue_belt import CatalogueBelt
 from wraparc.catalogue.own import (
     BELTS_FILE,
     LAGGINGS_FOLDER,
@@ -18,56 +19,14 @@ from wraparc.catalogue.own import (
     own_folder,
     own_laggings,
 )
-from wraparc.errors import InputError, Problem, input_error, near, shown
+from wraparc.catalogue.standard_belts import modulus_problem, standard_belt
+from wraparc.errors import InputError, Problem, did_you_mean, input_error, near, shown
 from wraparc.provenance import Kind, Provenance
 from wraparc.schema.source import read_text
 from wraparc.units import parse_quantity
 
 # Not importlib.resources: its import alone costs more than all the reading here.
 _DATA = Path(__file__).with_name("data")
-
-
-@dataclass(frozen=True, kw_only=True)
-class CatalogueBelt:
-    """A belt as a maker publishes it.
-
-    Parameters
-    ----------
-    name
-        The maker's designation.
-    kind
-        ``fabric`` or ``steel cord``.
-    rating
-        Rated (operating) tension per unit width [N/m].
-    modulus
-        Belt modulus [N/m].
-    least_pulley_diameter
-        Smallest drive pulley at 75-100 % of the rating [m], or None if not published.
-    carcass
-        Thickness of the carcass, or diameter of the cords [m], or None if not published.
-    carcass_mass, cover_mass
-        Mass of the carcass [kg/m2], and of the covers per thickness [kg/m3], or None.
-    provenance
-        The publication.
-    carcass_source
-        Where in it the carcass is, or None.
-    """
-
-    name: str
-    kind: str
-    rating: float
-    modulus: float
-    least_pulley_diameter: float | None = None
-    carcass: float | None = None
-    carcass_mass: float | None = None
-    cover_mass: float | None = None
-    provenance: Provenance
-    carcass_source: Provenance | None = None
-
-    @property
-    def sources(self) -> dict[str, Provenance]:
-        """Where single numbers came from, by field, if elsewhere."""
-        return {"carcass": self.carcass_source} if self.carcass_source else {}
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -142,7 +101,7 @@ def belts() -> tuple[CatalogueBelt, ...]:
 @cache
 def _belts(folder: Path | None) -> tuple[CatalogueBelt, ...]:
     own = () if folder is None else own_belts(folder)
-    given = [CatalogueBelt(**{**row, "provenance": origin}) for row, origin in own]
+    given = [_own_belt(row, origin) for row, origin in own]
     shipped = tuple(_shipped_belts())
     places = [(b.name, f"belt.{n}.name") for n, b in enumerate(given, start=1)]
     file = "" if folder is None else str(folder / BELTS_FILE)
@@ -155,6 +114,12 @@ def _belts(folder: Path | None) -> tuple[CatalogueBelt, ...]:
             for name, place in taken
         )
     return (*shipped, *given)
+
+
+def _own_belt(row: dict[str, Any], origin: Provenance) -> CatalogueBelt:
+    loads = row.get("modulus_loads")
+    more = {"provenance": origin, "modulus_loads": None if loads is None else tuple(loads)}
+    return CatalogueBelt(**{**row, **more})
 
 
 def _shipped_belts() -> Iterable[CatalogueBelt]:
@@ -172,27 +137,55 @@ def _shipped_belts() -> Iterable[CatalogueBelt]:
             carcass=parse_quantity(row["carcass"], "length"),
             carcass_mass=row["carcass_mass"],
             cover_mass=1e3 * group["cover_mass"],
+            permanent_elongation=_elongation(row, group),
             provenance=_published(group),
-            carcass_source=replace(_published(group), note=group["carcass_page"]),
+            sources={"carcass": replace(_published(group), note=group["carcass_page"])},
         )
         for group in _data("belts")["group"]
         for row in group["belts"]
     )
 
 
-def belt(name: str) -> CatalogueBelt:
-    """Return a belt by name; case and extra blanks do not matter.
+def _elongation(row: dict[str, Any], group: dict[str, Any]) -> float | None:
+    text = row.get("permanent_elongation", group.get("permanent_elongation"))
+    return None if text is None else parse_quantity(text, "number")
+
+
+def belt(name: str, *, with_modulus: bool = True) -> CatalogueBelt:
+    """Return a belt by name, of the catalogue or a standard name; case and blanks do not matter.
+
+    Parameters
+    ----------
+    name
+        As the catalogue has it, else ``EP 630/3``, ``ST 2000`` and the like.
+    with_modulus
+        Whether a belt is refused whose modulus nobody publishes; else it is nan.
 
     Raises
     ------
     InputError
         If there is none, with the nearest names.
     """
-    wanted = _plain(name)
-    found = next((b for b in belts() if _plain(b.name) == wanted), None)
+    found = find_belt(name)
     if found is None:
         raise unknown_name("belt", name, (b.name for b in belts()), "wraparc belts")
+    problem = modulus_problem(found) if with_modulus else None
+    if problem is not None:
+        raise InputError(problem)
     return found
+
+
+def find_belt(name: str) -> CatalogueBelt | None:
+    """Return a belt by name as `belt` does, with or without a modulus; None if there is none.
+
+    Raises
+    ------
+    InputError
+        Of a standard name with a typing slip, with the nearest names.
+    """
+    wanted = _plain(name)
+    found = next((b for b in belts() if _plain(b.name) == wanted), None)
+    return found or standard_belt(name)
 
 
 def lagging_names() -> tuple[str, ...]:
@@ -324,7 +317,7 @@ def unknown_name(what: str, name: str, known: Iterable[str], command: str) -> In
     """Return the error for a name that the catalogue does not have, with the nearest ones."""
     by_plain = {_plain(k): k for k in known}
     texts = [shown(by_plain[key]) for key in near(_plain(name), by_plain)]
-    remedy = f"Did you mean {' or '.join(texts)}?" if texts else f"List them: {command}."
+    remedy = did_you_mean(texts) or f"List them: {command}."
     return input_error(
         message=f"the catalogue has no {what} of this name",
         remedy=remedy,

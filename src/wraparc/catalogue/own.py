@@ -10,9 +10,10 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+from wraparc.catalogue.belt_modulus import MODULUS_TESTS
 from wraparc.errors import input_error, shown
 from wraparc.provenance import Provenance
-from wraparc.schema.kinds import Choice, Name, Quantity, Rows
+from wraparc.schema.kinds import Choice, Name, Percent, Quantity, Rows
 from wraparc.schema.limits import Limit
 from wraparc.schema.origins import own_provenance
 from wraparc.schema.shared_keys import FORMAT_ENTRY, PROVENANCE
@@ -26,6 +27,20 @@ BELTS_FILE, LAGGINGS_FOLDER = "belts.toml", "laggings"
 NAME = re.compile(r"[A-Za-z0-9][\w-]{0,59}", re.ASCII)
 _SUFFIX = ".toml"
 _PER_WIDTH = Quantity("force_per_width", Limit("force_per_width", open=True))
+#: How a modulus was measured, in a drive file too.
+MODULUS_KEYS = (
+    Entry(
+        "modulus_test",
+        "How the modulus was measured: dynamic (elastic elongation after load cycles, ISO 9856) or "
+        "static (first stretch, ISO 283, DIN 22102); not stated if left out.",
+        Choice(MODULUS_TESTS),
+    ),
+    Entry(
+        "modulus_loads",
+        "Lowest and highest load of that measurement, of the breaking strength.",
+        Rows(Percent(), 2, 2),
+    ),
+)
 
 BELTS = Table(
     "Belts of one's own",
@@ -39,6 +54,7 @@ BELTS = Table(
                 need("kind", kind=Choice(("fabric", "steel cord"))),
                 need("rating", "Rated tension per unit width.", _PER_WIDTH),
                 need("modulus", "Per unit width.", _PER_WIDTH),
+                *MODULUS_KEYS,
                 Entry(
                     "least_pulley_diameter",
                     "Smallest drive pulley at 75-100 % of the rating.",

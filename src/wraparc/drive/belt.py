@@ -5,9 +5,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import ClassVar, Literal
 
+from wraparc.catalogue.belt_modulus import measurement_problems
 from wraparc.errors import Problem
 from wraparc.provenance import Provenance
 from wraparc.schema.limits import Limit, limit_problems, name_problems, raise_all
+from wraparc.schema.uncertain import uncertainty_problems
 from wraparc.units import display
 
 Side = Literal["pulley", "carry"]
@@ -16,6 +18,8 @@ SIDES: tuple[Side, ...] = ("pulley", "carry")
 #: Shear modulus of a belt cover where none is given [Pa], an estimate, and what it lies between.
 COVER_SHEAR_MODULUS, COVER_SHEAR_BAND = 1.0e6, (0.8e6, 1.5e6)
 MOST_THICKNESS = 0.06  # of a belt [m]
+#: Numbers that have an uncertainty.
+UNCERTAIN_OF_BELT = ("modulus",)
 MOST_PITCH = 0.1  # of its cords [m]
 #: Layers of a belt, by key, and the key of their sum.
 LAYERS, THICKNESS = ("pulley_cover", "carry_cover", "carcass"), "thickness"
@@ -35,6 +39,12 @@ class Belt:
         Belt width B [m].
     modulus
         Belt modulus M: tension per unit width over strain [N/m].
+    modulus_test, modulus_loads
+        How it was measured, one of `MODULUS_TESTS` or empty where that is not stated; lowest and
+        highest load of the measurement over the breaking strength [-], or None.
+    modulus_ends
+        Least and largest modulus published of belts of this name [N/m], where it is a usual one of
+        these, or None.
     rating
         Rated (operating) tension per unit width [N/m], or None.
     strength
@@ -66,6 +76,8 @@ class Belt:
         carcass, and either stands for the other.
     mass
         Per length of belt [kg/m], or None.
+    uncertainty
+        How far single numbers may be off either way (95 %), by field: `UNCERTAIN_OF_BELT` [-].
     provenance
         Where the numbers came from.
     sources
@@ -78,7 +90,7 @@ class Belt:
     """
 
     LIMITS: ClassVar[Mapping[str, Limit]] = {
-        "width": Limit("length", least=1e-3, most=1e3),
+        "width": Limit("length", least=1e-3, most=10.0),
         "modulus": Limit("force_per_width", least=1e3, rigid=True),
         "rating": Limit("force_per_width", open=True),
         "strength": Limit("force_per_width", open=True),
@@ -116,11 +128,17 @@ class Belt:
     cord_diameter: float | None = None
     cord_pitch: float | None = None
     mass: float | None = None
+    modulus_test: str = ""
+    modulus_loads: tuple[float, float] | None = None
+    modulus_ends: tuple[float, float] | None = None
+    uncertainty: Mapping[str, float] = field(default_factory=dict, hash=False)
     provenance: Provenance = field(default_factory=Provenance)
     sources: Mapping[str, Provenance] = field(default_factory=dict, hash=False)
 
     def __post_init__(self) -> None:
         problems = name_problems("name", self.name) + limit_problems(self, self.LIMITS)
+        problems += measurement_problems(self.modulus_test, self.modulus_loads)
+        problems += uncertainty_problems(self.uncertainty, UNCERTAIN_OF_BELT)
         raise_all(problems or self._cord_problems() or self._layer_problems())
 
     def _cord_problems(self) -> list[Problem]:
@@ -179,13 +197,14 @@ class Belt:
         """Breaking strength per unit width [N/m].
 
         As given, or as a name tells: ``ST2000`` of steel cord, ``EP 630/4`` and ``630/4`` of fabric
-        in N/mm; a name of digits alone may state an American rating instead, in lbf/in.
+        in N/mm; a name of digits alone may state an American rating instead, in lbf/in, and one
+        with PIW does.
         """
         found = re.search(
             r"(?:ST[ -]?|(?:\b(?:EP|EE|NN|PN|NP|PP|EB)[ -]?|^)(?=\d+/\d))(\d{3,5})\b",  # DIN 22102
             self.name.strip().upper(),
         )
-        if self.strength is not None or found is None:
+        if self.strength is not None or found is None or "PIW" in self.name.upper():
             return self.strength
         told = float(found[1])
         bare = self.name.strip().startswith(found[1])

@@ -47,13 +47,16 @@ def layer_mass(
 
 def layer_source(row: CatalogueBelt) -> Provenance:
     """Return where the mass by `layer_mass` comes from."""
-    origin = row.provenance if row.carcass_source is None else row.carcass_source
-    return replace(origin, note=f"{OF_LAYERS}; {origin.note}")
+    origin = row.sources.get("carcass_mass", row.sources.get("carcass", row.provenance))
+    notes = (OF_LAYERS, origin.note)
+    if origin.note.startswith("estimated"):  # what it is must lead
+        notes = (origin.note, OF_LAYERS)
+    return replace(origin, note="; ".join(notes))
 
 
 def is_of_layers(belt: Belt) -> bool:
     """Return whether the mass of a belt was computed from its layers."""
-    return belt.mass is not None and belt.source_of("mass").note.startswith(OF_LAYERS)
+    return belt.mass is not None and OF_LAYERS in belt.source_of("mass").note
 
 
 def is_stated(belt: Belt) -> bool:

@@ -90,6 +90,18 @@ def _as_thick(pulley: Pulley, thickness: float) -> Pulley:
     return replace(pulley, lagging=lagging, conditions=tuple(others))
 
 
+#: What a belt of the catalogue brings.
+BELT_KEYS = (
+    "kind", "modulus", "modulus_test", "modulus_loads", "modulus_ends", "rating", "strength",
+    "least_pulley_diameter", "pulley_cover", "carry_cover", "carcass", "cord_pitch",
+)  # fmt: skip
+
+
+def belt_sources(row: CatalogueBelt) -> dict[str, Provenance]:
+    """Return where single numbers of a belt of the catalogue come from, by field of a belt."""
+    return {key: of for key, of in row.sources.items() if key in Belt.LIMITS}
+
+
 def with_belt(drive: Drive, row: CatalogueBelt) -> Drive:
     """Return the drive with a belt of the catalogue, its width and speed kept."""
     return replace(drive, belt=belt_of(row, drive.belt))
@@ -98,22 +110,19 @@ def with_belt(drive: Drive, row: CatalogueBelt) -> Drive:
 def belt_of(row: CatalogueBelt, like: Belt) -> Belt:
     """Return a belt of the catalogue in the width and at the speed of another.
 
-    Width, speed, covers and a mass that is stated keep the provenance they had there; else the mass
-    is that of the layers, where its maker publishes them.
+    Width, speed, a mass that is stated, and covers that the name does not state keep the provenance
+    they had there; else the mass is that of the layers, where its maker publishes them.
     """
-    kept = ["width", "speed", "pulley_cover", "carry_cover", "cover_shear_modulus"]
+    kept = ["width", "speed", "cover_shear_modulus"]
+    kept += [key for key in ("pulley_cover", "carry_cover") if getattr(row, key) is None]
     computed = like.mass is None or is_of_layers(like)
     kept += [] if computed else ["mass"]
     sources = {key: like.source_of(key) for key in kept if getattr(like, key) is not None}
     belt = Belt(
         name=row.name,
-        kind=row.kind,
-        modulus=row.modulus,
-        rating=row.rating,
-        least_pulley_diameter=row.least_pulley_diameter,
-        carcass=row.carcass,
         provenance=row.provenance,
-        sources=sources | row.sources,
+        sources=sources | belt_sources(row),
+        **{key: getattr(row, key) for key in BELT_KEYS if key not in kept},
         **{key: getattr(like, key) for key in kept},
     )
     if not computed or belt.pulley_cover is None or belt.carry_cover is None:

@@ -178,6 +178,13 @@ class Drive(Viewable):
         return self.slack_end(case) if steady == "" else leaving if steady == "exit" else entry
 
     @property
+    def states_uncertainty(self) -> bool:
+        """Whether it states how uncertain one of its numbers is."""
+        of_pulleys = any(p.uncertainty or p.lagging.uncertainty for p in self.pulleys)
+        of_cases = any(of for case in self.load_cases for of in case.uncertainty.values())
+        return bool(self.belt.uncertainty) or of_pulleys or of_cases
+
+    @property
     def take_up_place(self) -> str:
         """Where `take_up_tension` is, in words; empty for the slack side in every load case."""
         take_up = self.criteria.take_up

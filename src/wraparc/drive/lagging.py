@@ -15,10 +15,14 @@ from wraparc.errors import Problem, shown
 from wraparc.friction import LAGGING_SHEAR, FrictionLaw
 from wraparc.provenance import Provenance
 from wraparc.schema.limits import Limit, limit_problems, name_problems, raise_all
+from wraparc.schema.uncertain import uncertainty_problems
 from wraparc.views import Viewable
 
 #: Surfaces that published design values of friction are given for.
 SURFACES = ("bare", "rubber", "polyurethane", "ceramic")
+#: Numbers that have an uncertainty; friction and slip are factors on the law.
+UNCERTAIN_OF_LAGGING = ("friction", "slip", "thickness", "shear_modulus", "compression_modulus")
+_FITTED = "contradicts the fit of the law, which has an interval"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -106,6 +110,9 @@ class Lagging(Viewable):
         thickness. It is no part of what makes two laggings equal.
     replaced_block
         Blocks of a preset whose compression modulus another was given for, or None: they shear on.
+    uncertainty
+        How far single numbers may be off either way (95 %), by field, and friction and slip of the
+        law: `UNCERTAIN_OF_LAGGING` [-].
     provenance
         Where the lagging's numbers came from.
     sources
@@ -153,6 +160,7 @@ class Lagging(Viewable):
     condition_factors: Mapping[str, ConditionFactor] = field(default_factory=dict, hash=False)
     block: Block | None = field(default=None, compare=False)
     replaced_block: Block | None = field(default=None, compare=False)
+    uncertainty: Mapping[str, float] = field(default_factory=dict, hash=False)
     provenance: Provenance = field(default_factory=Provenance)
     sources: Mapping[str, Provenance] = field(default_factory=dict, hash=False)
     scaled_by: float | None = None
@@ -165,6 +173,13 @@ class Lagging(Viewable):
         if self.surface and self.surface not in SURFACES:
             message = f"must be one of {', '.join(SURFACES)}"
             problems.append(Problem(key="surface", value=shown(self.surface), message=message))
+        problems += uncertainty_problems(self.uncertainty, UNCERTAIN_OF_LAGGING)
+        if self.fit is not None:
+            problems += [
+                Problem(key=f"uncertainty.{key}", message=_FITTED, remedy="Remove one of them.")
+                for key in ("friction", "slip")
+                if key in self.uncertainty
+            ]
         raise_all(problems)
 
     @property

@@ -10,9 +10,12 @@ from wraparc.conveyor import GRAVITY
 from wraparc.drive.criteria import CASE_KINDS, CaseKind, choice_problems
 from wraparc.errors import Problem
 from wraparc.schema.limits import Limit, limit_problems, name_problems, raise_all
+from wraparc.schema.uncertain import uncertainty_problems
 
 #: Name of the load case made by the tensions of the pulleys themselves.
 DESIGN = "design"
+#: Numbers of it that have an uncertainty; that of torque and power is the effective tension's.
+UNCERTAIN_OF_CASE = ("entry_tension", "exit_tension", "effective_tension")
 #: Least and largest tension that a pulley may have [N].
 LEAST_TENSION, MOST_TENSION = 0.1, 1e9
 #: Hours of the longest year.
@@ -170,6 +173,9 @@ class LoadCase:
         Condition of the laggings, ``wet`` ...; empty for that which the pulleys say.
     description
         What happens then.
+    uncertainty
+        How far its tensions may be off either way (95 %), by pulley and `UNCERTAIN_OF_CASE`; of
+        all pulleys together, the entry to the first and the exit of the last, by "" [-].
     """
 
     name: str
@@ -177,7 +183,10 @@ class LoadCase:
     kind: CaseKind = "running"
     condition: str = ""
     description: str = ""
+    uncertainty: Mapping[str, Mapping[str, float]] = field(default_factory=dict, hash=False)
 
     def __post_init__(self) -> None:
         problems = choice_problems(self, {"kind": CASE_KINDS})
+        for of in self.uncertainty.values():
+            problems += uncertainty_problems(of, UNCERTAIN_OF_CASE)
         raise_all(name_problems("name", self.name) + problems)

@@ -12,7 +12,13 @@ from wraparc.drive.lagging import Lagging
 from wraparc.errors import Problem
 from wraparc.provenance import Provenance
 from wraparc.schema.limits import Limit, limit_problems, name_problems, raise_all
+from wraparc.schema.uncertain import uncertainty_problems
 from wraparc.units import display
+
+#: Numbers that have an uncertainty; that of torque and power is the effective tension's.
+UNCERTAIN_OF_PULLEY = (
+    "diameter", "wrap_angle", "entry_tension", "exit_tension", "effective_tension",
+)  # fmt: skip
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -47,6 +53,9 @@ class Pulley:
         shaft and bearings is then that of the belt alone.
     across
         What is uneven across the width, or None for an even pulley under an even belt.
+    uncertainty
+        How far single numbers may be off either way (95 %), by field, or by tension in every load
+        case: `UNCERTAIN_OF_PULLEY` [-].
     sources
         Where single numbers came from, by field or tension.
     conditions
@@ -76,12 +85,14 @@ class Pulley:
     side: Side = "pulley"
     mass: float | None = None
     across: Across | None = None
+    uncertainty: Mapping[str, float] = field(default_factory=dict, hash=False)
     sources: Mapping[str, Provenance] = field(default_factory=dict, hash=False)
     conditions: tuple[Lagging, ...] = ()
 
     def __post_init__(self) -> None:
         problems = name_problems("name", self.name) + limit_problems(self, self.LIMITS)
         problems += choice_problems(self, {"side": SIDES})
+        problems += uncertainty_problems(self.uncertainty, UNCERTAIN_OF_PULLEY)
         worn = self.across.worn_depth if self.across else None
         if worn is not None and worn.largest >= self.lagging.thickness:
             problems.append(

@@ -212,7 +212,7 @@ def fault_of(
         between = ends.entry - ends.exit
         if abs(pull - between) > _ALIKE * abs(between):
             message = f"{pulls[0]} makes {force(pull)}, the tensions {force(between)}"
-    remedy = "Give two of them in the load case."
+    remedy = f"Give two of {', '.join(given)} in the load case."
     return LoadFault(message, remedy if inherited else ONE_TOO_MANY, "")
 
 

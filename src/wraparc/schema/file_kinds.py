@@ -34,6 +34,7 @@ FILE_KINDS: dict[str, FileKind] = {
     "study": FileKind("a study file", "study", ("axis", "sampling")),
     "plan": FileKind("a test plan", "fit", ("rig", "test", "digitised")),
     "calibrate": FileKind("a calibrate file", "calibrate", ("number", "record", "prior", "zero")),
+    "learn": FileKind("a learn file", "learn", ("belt_speed", "files", "event")),
     "lagging": FileKind("a lagging file", "lagging", ("law",)),
 }
 #: Endings of the files of test machines.

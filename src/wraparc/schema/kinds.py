@@ -183,7 +183,8 @@ class Choice(Kind):
         if isinstance(raw, str) and raw in self.others:
             return self.others[raw]
         message = f"must be one of {format_names(self.options)}"
-        report.add(place, message, nearest(raw, self.options, 1), raw)
+        remedy = "" if report.full else nearest(raw, self.options, 1)
+        report.add(place, message, remedy, raw)
         return NOTHING
 
     def written(self, value: Any) -> Any:

@@ -22,7 +22,8 @@ def read_sources(record: Record, keys: Iterable[str], report: Report) -> dict[st
     for key, table in record.get("sources", {}).items():
         if key not in keys:
             place = (*record.place, "sources", key)
-            report.add(place, "is no key of this table", unknown_key_remedy(key, keys))
+            remedy = "" if report.full else unknown_key_remedy(key, keys)
+            report.add(place, "is no key of this table", remedy)
         elif isinstance(table, Record):
             provenance = read_provenance(table, report)
             if provenance is not None:

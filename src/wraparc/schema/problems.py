@@ -85,6 +85,7 @@ class Report:
         value: object = NOTHING,
         *,
         code: str = "",
+        meant: str = "",
     ) -> None:
         """Add one problem; that something is missing is a code, too."""
         if self.full:
@@ -93,7 +94,8 @@ class Report:
         given = "" if value is NOTHING else shown(value)
         code = "missing" if message == "missing" else code
         key = place_text(place)
-        self._append(Problem(message=message, remedy=remedy, key=key, value=given, code=code))
+        problem = Problem(message=message, remedy=remedy, key=key, value=given)
+        self._append(replace(problem, code=code, meant=meant))
 
     def take(
         self,

@@ -107,7 +107,7 @@ class Record(dict[str, Any]):
 
 
 class Misplaced(NamedTuple):
-    """Keys that users put into a table and that belong elsewhere: one problem for all of them.
+    """Keys that users put into tables and that belong elsewhere: one problem for all of them.
 
     Attributes
     ----------
@@ -115,11 +115,14 @@ class Misplaced(NamedTuple):
         The keys.
     message, remedy
         What is wrong and what to do; ``{key}`` is the first of them.
+    owner
+        Key of the table that they belong into: what it lacks then is not told.
     """
 
     keys: tuple[str, ...]
     message: str
     remedy: str
+    owner: str
 
 
 class Table(Kind):
@@ -169,11 +172,9 @@ class Table(Kind):
         record = Record({}, place, given)
         unknown = [key for key in given if key not in known]
         if self.misplaced is not None:
-            unknown = self._without_misplaced(unknown, place, report)
+            unknown = self._without_misplaced(unknown, record, report)
         for key in unknown:
-            remedy = "" if report.full else unknown_key_remedy(key, known)
-            report.add((*place, key), "unknown key", remedy)
-            record.faulty.update(near(key, [k for k in known if k not in given], 1))
+            record.faulty.update(self._report_unknown(key, given, place, report))
         misspelt = set(record.faulty)
         for key, entry in known.items():
             if key in given:
@@ -249,12 +250,27 @@ class Table(Kind):
         these = [other.get(e.key, e) for e in self.entries]
         return Table(self.title, *these, of=self.of, misplaced=self.misplaced)
 
-    def _without_misplaced(self, unknown: list[str], place: Place, report: Report) -> list[str]:
+    def _report_unknown(
+        self, key: str, given: dict[str, Any], place: Place, report: Report
+    ) -> list[str]:
+        """Report an unknown key; return the absent key that it may be, sought if it is listed."""
+        if report.full:
+            report.add((*place, key), "unknown key")
+            return []
+        close = near(key, [k for k in self._known if k not in given], 1)
+        remedy, meant = unknown_key_remedy(key, self._known), close[0] if close else ""
+        report.add((*place, key), "unknown key", remedy, code="unknown_key", meant=meant)
+        return close
+
+    def _without_misplaced(self, unknown: list[str], record: Record, report: Report) -> list[str]:
         """Return unknown keys without those that belong elsewhere, which are one problem."""
         of = self.misplaced
         there = [] if of is None else [key for key in unknown if key in of.keys]
         if of is not None and there:
-            report.add((*place, there[0]), of.message, of.remedy.replace("{key}", there[0]))
+            record.faulty.add(of.owner)
+            if all(problem.message != of.message for problem in report.problems):
+                remedy = of.remedy.replace("{key}", there[0])
+                report.add((*record.place, there[0]), of.message, remedy)
         return [key for key in unknown if key not in there]
 
     def _renamed(self, raw: dict[str, Any], place: Place, report: Report) -> dict[str, Any]:

@@ -13,6 +13,8 @@ if TYPE_CHECKING:
     from wraparc.train.batch_result import DrumColumns as DrumColumns
     from wraparc.train.batch_result import TrainBatchResult as TrainBatchResult
     from wraparc.train.change import what_if as what_if
+    from wraparc.train.conveyed import conveyor_states as conveyor_states
+    from wraparc.train.conveyed import states_of as states_of
     from wraparc.train.curve import Mark as Mark
     from wraparc.train.curve import MarkKind as MarkKind
     from wraparc.train.curve import ShareCurve as ShareCurve
@@ -45,6 +47,7 @@ if TYPE_CHECKING:
 _MODULES = {
     "batch": "solve_train_batch",
     "batch_result": "TRAIN_STATUSES DrumColumns TrainBatchResult",
+    "conveyed": "conveyor_states states_of",
     "curve": "Mark MarkKind ShareCurve share_curve",
     "matching": "Change Matching match_drives",
     "motors": "FluidCoupling Induction Motor TorqueFollower VariableSpeed",

@@ -16,11 +16,12 @@ from wraparc.files.drive_build import (
     report_together,
 )
 from wraparc.files.drive_file import drive_from_document, overridden
-from wraparc.files.tensions import KEYS
+from wraparc.files.tensions import KEYS, report_uncertain_twice
 from wraparc.schema.overrides import Overrides, load
 from wraparc.schema.problems import Report, place_text
 from wraparc.schema.source import Document, parse, read_tables
 from wraparc.schema.tables import Record
+from wraparc.train.conveyed import build_train_conveyor, conveyor_cases, train_take_up
 from wraparc.train.keys import TRAIN_FILE
 from wraparc.train.reader import Reader
 from wraparc.train.train import Train, TrainCase
@@ -163,10 +164,11 @@ def train_from_document(
     conditions = build_conditions(record, report)
     pulleys = [build_pulley(item, laggings, conditions, report) for item in records]
     _refuse_pulley_tensions(record, records, report)
-    if "conveyor" in record:
-        message = "contradicts the tensions in [train]"
-        report.add(("conveyor",), message, "Leave one of them out.")
+    report_uncertain_twice(record, report)
     criteria = build_criteria(record, belt, report)
+    conveyor = None
+    if "conveyor" in document:
+        conveyor = build_train_conveyor(record, belt, criteria.take_up, report)
     train = record.get("train")
     ends = (
         [train[key] for key in ("entry_tension", "exit_tension") if key in train]
@@ -179,7 +181,14 @@ def train_from_document(
     known = cast(Belt, belt), [cast(Pulley, p) for p in pulleys]
     reader = Reader(record, *known, report, criteria.take_up)
     parts = {key: record[key] for key in ("title", "description", "creep_limit") if key in record}
-    cases = reader.cases()
+    cases: list[TrainCase] = []
+    if conveyor is None:
+        cases = reader.cases()
+    else:
+        division = reader.division()
+        if division is not None:
+            conveyor, cases = conveyor_cases(conveyor, division, record["conveyor"], report)
+            criteria = replace(criteria, take_up=train_take_up(criteria.take_up, conveyor))
     report.raise_all()
     try:
         return Train(
@@ -189,6 +198,7 @@ def train_from_document(
             criteria=criteria,
             nominal_diameters=reader.nominal if reader.actual != tuple(reader.pulleys) else (),
             read_from=ReadFrom(document, folder, allow_paths),
+            conveyor=conveyor,
             **parts,
         )
     except InputError as error:

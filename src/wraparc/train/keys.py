@@ -4,11 +4,13 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from wraparc.drive import MOST_PULLEYS, Limit, Pulley, Tensions
+from wraparc.drive.load_case import UNCERTAIN_OF_CASE
 from wraparc.errors import InputError
 from wraparc.files.drive_keys import DRIVE, LOAD_CASE
 from wraparc.schema.kinds import ByName, Count, Kind, Name, Quantity, Rows
 from wraparc.schema.problems import NOTHING, Place, Report
 from wraparc.schema.tables import Entry, Table, Variant, limited, need
+from wraparc.schema.uncertain import uncertainty_entry
 from wraparc.train.motors import (
     FluidCoupling,
     Induction,
@@ -207,6 +209,7 @@ _CASE = (
 TRAIN = Table(
     "Train",
     *_CASE,
+    uncertainty_entry(UNCERTAIN_OF_CASE),
     Entry(
         "diameters",
         "Present diameter of each pulley, worn; those of the pulleys are then nominal.",
@@ -215,7 +218,7 @@ TRAIN = Table(
     ),
     Entry("motor", "By pulley: the operating point is computed.", ByName(MOTOR), title="Motors"),
 )
-TRAIN_CASE = Table("Train in this load case", *_CASE)
+TRAIN_CASE = Table("Train in this load case", *_CASE, uncertainty_entry(UNCERTAIN_OF_CASE))
 
 _LOAD_CASE = LOAD_CASE.having(
     Entry("train", "Tensions and division of the load of a train.", TRAIN_CASE)

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from wraparc.drive import DESIGN, Belt, Pulley, TakeUp
+from wraparc.drive.load_case import UNCERTAIN_OF_CASE
 from wraparc.drive.tension_rules import (
     EFFECTIVE,
     BehindTakeUp,
@@ -20,6 +21,7 @@ from wraparc.files.conditions import condition_name
 from wraparc.files.tensions import ENTRY, EXIT, NO_RUNS, Given, complete, resolve
 from wraparc.schema.problems import NOTHING, Report
 from wraparc.schema.tables import Record
+from wraparc.schema.uncertain import read_uncertainty
 from wraparc.train.keys import EQUAL, MOTOR
 from wraparc.train.motors import Motor, TorqueFollower
 from wraparc.train.train import Division, Motors, Shares, Speeds, TrainCase
@@ -113,10 +115,18 @@ class Reader:
                 exit_tension=tensions.exit,
                 division=division,
                 runs=runs if any(runs) else (),
+                uncertainty=self._uncertainty(train) | self._uncertainty(over),
             )
         except InputError as error:
             self._report.take(error, place)
             return None
+
+    def _uncertainty(self, record: Record | None) -> dict[str, float]:
+        return {} if record is None else read_uncertainty(record, UNCERTAIN_OF_CASE, self._report)
+
+    def division(self) -> Division | None:
+        """Return what divides the load of every load case, or None after reporting."""
+        return self._division(self._train, None)
 
     def _given(self, train: Record, over: Record | None) -> Given:
         given = Given.of("train", train, None)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, fields
 from enum import StrEnum
+from functools import cached_property
 from math import isfinite, isnan, nan
 
 from wraparc.alike import largest
@@ -294,7 +295,12 @@ class TrainResult(Viewable):
         return largest((c for c in self.cases if solved or not c.status.solved), severity)
 
     def drive_result(self) -> DriveResult:
-        """Return the pulleys one by one, as `wraparc.solve` gives them for a drive."""
+        """Return the pulleys one by one, as `wraparc.solve` gives them for a drive: always one."""
+        return self._pulley_by_pulley
+
+    @cached_property
+    def _pulley_by_pulley(self) -> DriveResult:
+        # judged, and asked for its least tension, once
         cases = [
             LoadCase(
                 name=result.case.name,
@@ -305,6 +311,7 @@ class TrainResult(Viewable):
                     m.name: Tensions(entry=m.arc.entry_tension, exit=m.arc.exit_tension)
                     for m in result.members
                 },
+                uncertainty={"": result.case.uncertainty} if result.case.uncertainty else {},
             )
             for result in self.cases
         ]

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from typing import ClassVar, NamedTuple
 
+from wraparc.conveyor import Conveyor
 from wraparc.drive import (
     CREEP_LIMIT,
     MOST_PULLEYS,
@@ -27,9 +28,10 @@ from wraparc.drive import (
     repeated,
 )
 from wraparc.drive.drive import covered_problems, flying_problems, named, side_problems
-from wraparc.drive.load_case import heaviest
+from wraparc.drive.load_case import UNCERTAIN_OF_CASE, heaviest
 from wraparc.errors import Problem, name_remedy, shown
 from wraparc.schema.limits import limit_problems, name_problems, raise_all
+from wraparc.schema.uncertain import uncertainty_problems
 from wraparc.train.motors import Motor, TorqueFollower
 from wraparc.units import display
 
@@ -115,6 +117,8 @@ class TrainCase:
         where drives stand together. Empty for none.
     kind, condition, description
         As in `LoadCase`.
+    uncertainty
+        How far its tensions may be off either way (95 %), by `UNCERTAIN_OF_CASE` [-].
     """
 
     LIMITS: ClassVar[dict[str, Limit]] = {
@@ -130,9 +134,11 @@ class TrainCase:
     kind: CaseKind = "running"
     condition: str = ""
     description: str = ""
+    uncertainty: Mapping[str, float] = field(default_factory=dict, hash=False)
 
     def __post_init__(self) -> None:
-        raise_all(name_problems("name", self.name) + limit_problems(self, self.LIMITS))
+        problems = name_problems("name", self.name) + limit_problems(self, self.LIMITS)
+        raise_all(problems + uncertainty_problems(self.uncertainty, UNCERTAIN_OF_CASE))
 
     @property
     def effective_tension(self) -> float:
@@ -177,6 +183,8 @@ class Train:
         What the train is held against, as in `Drive`.
     read_from
         As in `Drive`.
+    conveyor
+        What the load cases were computed from, or None where their tensions are given.
 
     Raises
     ------
@@ -195,6 +203,7 @@ class Train:
     creep_limit: float = CREEP_LIMIT
     criteria: Criteria = field(default_factory=Criteria)
     read_from: ReadFrom | None = field(default=None, compare=False, repr=False)
+    conveyor: Conveyor | None = field(default=None, compare=False, repr=False)
 
     def __post_init__(self) -> None:
         problems = limit_problems(self, self.LIMITS)

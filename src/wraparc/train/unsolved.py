@@ -35,6 +35,7 @@ def load_case(train: Train, case: TrainCase, pairs: Sequence[tuple[float, float]
         condition=case.condition,
         description=case.description,
         tensions=tensions,
+        uncertainty={"": case.uncertainty} if case.uncertainty else {},
     )
 
 

@@ -48,8 +48,10 @@ MOST_DIGITS = 9
 _FORMS = frozenset(get_args(Form))
 #: A text for each system of units, of which the one that is shown is taken.
 _EITHER = re.compile("\x04([^\x04-\x06]*)\x05([^\x04-\x06]*)\x06")
+#: No digits at all only where they are counted behind the point.
+_DIGITS = "[1-9][0-9]?|0(?=[|](?:percent )?(?:fixed|signed)[|])"
 _SLOT = re.compile(
-    "\x02([a-z_]+)[|]([1-9][0-9]?)[|]([a-z -]*)[|]([^|\x03]+)[|]([^|\x03]+)[|]([a-z0-9_]*)\x03"
+    f"\x02([a-z_]+)[|]({_DIGITS})[|]([a-z -]*)[|]([^|\x03]+)[|]([^|\x03]+)[|]([a-z0-9_]*)\x03"
 )
 
 

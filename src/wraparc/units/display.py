@@ -40,6 +40,7 @@ _SI: dict[Dimension, _Row] = {
     "mass": ("kg", ()),
     "mass_per_length": ("kg/m", ()),
     "mass_flow": ("t/h", ()),
+    "density": ("kg/m3", ()),
     "moment_of_inertia": ("kg m2", ()),
     "number": ("", ()),
 }
@@ -63,6 +64,7 @@ _US: dict[Dimension, _Row] = _SI | {
     "mass": ("lbm", ()),
     "mass_per_length": ("lbm/ft", ()),
     "mass_flow": ("lbm/h", ()),
+    "density": ("lbm/ft3", ()),
     "moment_of_inertia": ("lbm ft2", ()),
 }
 

@@ -10,9 +10,17 @@ from decimal import Decimal
 from functools import cache, lru_cache
 from typing import NamedTuple
 
-from wraparc.errors import InputError, input_error, near, placed, shown
+from wraparc.errors import InputError, did_you_mean, input_error, near, placed, shown
 from wraparc.units.numbers import finite, split_number
-from wraparc.units.table import BASE_UNITS, DEFINITIONS, DIMENSION_TEXT, DIMENSIONS, Dimension
+from wraparc.units.table import (
+    BASE_UNITS,
+    DEFINITIONS,
+    DIMENSION_TEXT,
+    DIMENSIONS,
+    OF_MASS,
+    TONS,
+    Dimension,
+)
 
 _FACTOR = r'[A-Za-z°%"]+(?:\^?-?[1-9])?'
 _PRODUCT = rf"{_FACTOR}(?:(?:\s*[*.]\s*|\s+|-(?=[A-Za-z])){_FACTOR})*"
@@ -158,6 +166,7 @@ _CONFUSED: dict[Dimension, tuple[str, ...]] = {
     "mass": ("t", "kg", "g"),
     "mass_per_length": ("kg/m", "g/m", "t/m"),
     "mass_flow": ("t/h", "kg/s", "kg/h"),
+    "density": ("kg/m3", "t/m3", "g/cm3"),
     "moment_of_inertia": ("kg m2", "t m2", "kg cm2"),
     "torque": ("kN m", "N m", "MN m"),
     "time": ("s", "min", "ms", "h"),
@@ -199,7 +208,7 @@ def unit_names() -> tuple[str, ...]:
 def _checked_unit(text: str, dimension: Dimension, given: object, example: str = "") -> Unit:
     kind = DIMENSION_TEXT[dimension]
     try:
-        unit = _resolve(text)
+        unit = _resolve(text, dimension in OF_MASS)
     except _UnitTextError as error:
         remedy = error.remedy or _meant(text, error, dimension, example)
         raise _refused(given, str(error), remedy) from None
@@ -207,8 +216,34 @@ def _checked_unit(text: str, dimension: Dimension, given: object, example: str =
         measured = dimension_of(text)
         found = DIMENSION_TEXT[measured].name if measured else "of no dimension used here"
         message = f"{found}, where {kind.name} is needed"
-        raise _refused(given, message, _for_example(dimension, example))
+        remedy = _by_gravity(text, dimension) or _for_example(dimension, example)
+        raise _refused(given, message, remedy)
     return unit
+
+
+#: Units of mass and of force that are taken for each other, one by standard gravity.
+_BY_GRAVITY = tuple(
+    (re.compile(rf"\b{one}(?![A-Za-z])"), other, meant)
+    for mass, force in (("kg", "kgf"), ("t", "tf"), ("g", "gf"), ("lbm", "lbf"))
+    for one, other, meant in ((mass, force, "a force"), (force, mass, "a mass"))
+)
+
+
+def _by_gravity(text: str, dimension: Dimension) -> str:
+    """Return which unit to write where one of mass is given for one of force, or the reverse."""
+    for pattern, other, meant in _BY_GRAVITY:
+        replaced = pattern.sub(other, text)
+        if replaced != text and _fits(replaced, dimension):
+            return f"Write {replaced.strip()} if it is {meant}."
+    return ""
+
+
+def _fits(text: str, dimension: Dimension) -> bool:
+    """Return whether a unit text can be read and measures a dimension."""
+    try:
+        return _resolve(text, dimension in OF_MASS).powers == _powers(dimension)
+    except _UnitTextError:
+        return False
 
 
 @cache
@@ -231,9 +266,16 @@ def _units() -> dict[str, Unit]:
     return known
 
 
+@cache
+def _units_of_mass() -> dict[str, Unit]:
+    """Return the units where a mass is measured: pounds are of mass there."""
+    known = _units()
+    return known | dict.fromkeys(("lb", "lbs"), known["lbm"])
+
+
 @lru_cache(maxsize=512)
-def _resolve(text: str) -> Unit:
-    return _evaluate(text, _units())
+def _resolve(text: str, of_mass: bool = False) -> Unit:
+    return _evaluate(text, _units_of_mass() if of_mass else _units())
 
 
 def _evaluate(text: str, known: dict[str, Unit]) -> Unit:
@@ -263,6 +305,8 @@ def _named(name: str, known: dict[str, Unit]) -> Unit:
     unit = known.get(name)
     if unit is not None:
         return unit
+    if name in TONS:
+        raise _UnitTextError(f"{name} may be metric, short or long", "", name)
     same_but_case = [other for other in known if other.casefold() == name.casefold()]
     meant = tuple(same_but_case or near(name, known, _MOST_NEAR))
     raise _UnitTextError(f"unknown unit {shown(name)}", "", name, meant)
@@ -270,11 +314,35 @@ def _named(name: str, known: dict[str, Unit]) -> Unit:
 
 def _meant(text: str, error: _UnitTextError, dimension: Dimension, example: str) -> str:
     """Return the units that may be meant, else an example; neither of another dimension."""
-    powers, compound = _powers(dimension), text.strip() != error.name
-    fits = [name for name in error.meant if compound or _units()[name].powers == powers]
+    if error.name in TONS:
+        tons = (("t", "1000 kg"), ("ston", "2000 lb"), ("lton", "2240 lb"))
+        forces = (("tf", "1000 kgf"), ("kip", "1000 lbf"))
+        for units in (tons, forces):
+            if _fits(text.replace(error.name, units[0][0]), dimension):
+                texts = [f"{text.replace(error.name, unit)} ({size})" for unit, size in units]
+                return f"Write {', '.join(texts[:-1])} or {texts[-1]}."
+    fits = [name for name in error.meant if _fits(text.replace(error.name, name), dimension)]
+    fits = fits or _corrected(text, dimension, _MOST_SLIPS)
     if fits:
-        return f"Did you mean {' or '.join(fits[:2])}?"
+        return did_you_mean(fits[:2])
     return _for_example(dimension, example)
+
+
+#: Names of one unit text that are corrected.
+_MOST_SLIPS = 3
+
+
+def _corrected(text: str, dimension: Dimension, most: int) -> list[str]:
+    """Return a unit text of a dimension with the nearest name for each that is unknown."""
+    try:
+        _resolve(text, dimension in OF_MASS)
+    except _UnitTextError as error:
+        for name in error.meant if most else ():
+            found = _corrected(text.replace(error.name, name), dimension, most - 1)
+            if found:
+                return found
+        return []
+    return [text.strip()] if _fits(text, dimension) else []
 
 
 def _for_example(dimension: Dimension, example: str) -> str:

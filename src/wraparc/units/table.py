@@ -2,7 +2,9 @@
 
 The list is closed and free of automatic prefixes, so that a unit text means one thing
 only: ``min`` is a minute, ``PIW`` a pound-force per inch of width, and ``mN`` is never
-taken for ``MN`` by a typing slip that a prefix rule would accept.
+taken for ``MN`` by a typing slip that a prefix rule would accept. Only ``lb`` has two meanings, by
+what is measured: a force per width in ``lb/in``, a mass per length in ``lb/ft``, each where the
+other cannot stand.
 """
 
 from decimal import Decimal
@@ -31,6 +33,7 @@ Dimension = Literal[
     "mass",
     "mass_per_length",
     "mass_flow",
+    "density",
     "moment_of_inertia",
     "number",
 ]
@@ -69,9 +72,17 @@ DIMENSION_TEXT: dict[Dimension, DimensionText] = {
     "mass": DimensionText("kg", "a mass", "500 kg"),
     "mass_per_length": DimensionText("kg/m", "a mass per length", "22 kg/m"),
     "mass_flow": DimensionText("kg/s", "a mass flow", "1500 t/h"),
+    "density": DimensionText("kg/m3", "a density", "1600 kg/m3"),
     "moment_of_inertia": DimensionText("kg m2", "a moment of inertia", "2200 kg m2"),
     "number": DimensionText("", "a plain number", "0.35"),
 }
+
+#: Dimensions of masses: a pound is one of mass there, of force elsewhere.
+OF_MASS: tuple[Dimension, ...] = (
+    "mass", "mass_per_length", "mass_flow", "density", "moment_of_inertia",
+)  # fmt: skip
+#: Tons of which nobody knows which they are: as a mass, and as a force.
+TONS = ("ton", "tons", "Ton", "Tons", "TON", "TONS", "tn", "tns")
 
 #: Units that are not built from others.
 BASE_UNITS = ("kg", "m", "s", "K", "rad")
@@ -107,6 +118,8 @@ DEFINITIONS: tuple[Definition, ...] = (
     _define("g", "0.001", "kg"),
     _define("t tonne tonnes", "1000", "kg"),
     _define("lbm", "0.45359237", "kg"),
+    _define("ston stons", "2000", "lbm"),
+    _define("lton ltons", "2240", "lbm"),
     _define("sec second seconds", "1", "s"),
     _define("ms", "0.001", "s"),
     _define("min minute minutes", "60", "s"),
@@ -146,8 +159,12 @@ DEFINITIONS: tuple[Definition, ...] = (
     _define("PS cv CV hp(metric)", "75", "kgf m/s"),
     _define("fpm FPM", "1", "ft/min"),
     _define("fps", "1", "ft/s"),
+    _define("mps", "1", "m/s"),
     _define("kph kmh", "1", "km/h"),
     _define("mph", "1", "mi/h"),
+    _define("tph TPH mtph MTPH", "1", "t/h"),
+    _define("stph STPH", "1", "ston/h"),
+    _define("ltph LTPH", "1", "lton/h"),
     _define("Hz hertz", "1", "1/s"),
     _define("mrad", "0.001", "rad"),
     _define("deg degree degrees °", "0.01745329251994329576923690768", "rad"),
