@@ -1,12 +1,15 @@
 """Records of measured drives: how often 95 % intervals hold the truth that made the records.
 
     python benchmarks/calibrate_speeds.py 200
+    python benchmarks/calibrate_speeds.py 200 1 plant
 
 The records are not this program's: the slow twin of the tests integrates each drive, and its
 gauges read torque by moments and speeds by the mass of belt that passes (tests/arc/gauges.py). The
 drive that the twin integrates differs from the drive file by one standard deviation of everything
 that [errors] states; the readings have noise. Each record is written as a calibrate file, read and
 calibrated. Kinds of records and drives take turns; with a second number the first seed is that.
+Records of a plant have the errors of its log besides: torque at no load, a take-up that rubs, a
+belt and a law off their data, a motor speed that torque bends. Their file states none of these.
 
 The share that holds the truth is luck of the draws too: beside each calibration stands a linear
 problem with the same draws, whose intervals hold the truth in 95 of 100.
@@ -157,7 +160,13 @@ class Truth:
     """A drive as it is, off what its file says by what is stated."""
 
     def __init__(
-        self, drive: Drive, kind: Kind, errors: dict[str, float], rng: np.random.Generator
+        self,
+        drive: Drive,
+        kind: Kind,
+        errors: dict[str, float],
+        rng: np.random.Generator,
+        *,
+        plant: bool = False,
     ) -> None:
         def off(sd: float) -> float:
             return float(np.exp(sd * rng.standard_normal()))
@@ -172,6 +181,16 @@ class Truth:
         )
         self.diameter = errors["diameter"] * float(rng.standard_normal())
         self.offset = errors["pitch_offset"] * float(rng.standard_normal())
+        self.bias = self.by_torque = 0.0
+        self.slip, self.take_up = 1.0, dict.fromkeys(("design", "empty", "start", "zero"), 1.0)
+        self.stiff = 1.0
+        if plant:
+            self.bias = 0.02 * float(rng.standard_normal())
+            self.by_torque = 4e-4 * float(rng.standard_normal())
+            self.slip = off(0.10)
+            self.stiff = 1.0 if "belt_modulus" in kind.parameters else off(0.10)
+            rub = max(0.0, 0.03 + 0.02 * float(rng.standard_normal()))  # opposes its last travel
+            self.take_up = {k: 1.0 + rub * float(rng.choice([-1.0, 1.0])) for k in self.take_up}
 
     @property
     def values(self) -> dict[str, float]:
@@ -187,6 +206,9 @@ class Truth:
             **self.values, **self.tensions,
             "speed_zero": self.wheel * (1.0 + (0.5 * self.diameter + self.offset) / pitch),
             "compression": self.soft, "lagging_shear": self.shear, "cover_shear": self.cover,
+            "torque_offset": 1.0 + self.bias, "speed_by_torque": 1.0 + self.by_torque,
+            "modulus": self.stiff, "slip_axis": self.slip,
+            **{f"take_up.{name}": value for name, value in self.take_up.items()},
         }  # fmt: skip
         return np.array([variable_of(name, values[name]) for name in names])
 
@@ -198,24 +220,33 @@ class Truth:
         assert said.pitch_offset is not None
         arc = replace(
             said,
-            law=said.law.scaled(self.friction, 1.0),
-            axial_stiffness=said.axial_stiffness * self.modulus,
+            law=said.law.scaled(self.friction, self.slip),
+            axial_stiffness=said.axial_stiffness * self.modulus * self.stiff,
             diameter=said.diameter + self.diameter,
             pitch_offset=said.pitch_offset + self.offset,
             compression_modulus=said.compression_modulus / self.soft,
             shear_modulus=said.shear_modulus / self.shear,
             cover_compliance=said.cover_compliance * self.cover,
         )
-        return self._loaded(said, arc)
+        return self._loaded(said, arc, "zero" if tensions is not None else case)
 
-    def _loaded(self, said: WrapArc, arc: WrapArc) -> WrapArc:
+    @property
+    def rated(self) -> float:
+        """The largest effective tension of the drive file [N]."""
+        cases = self.drive.load_cases
+        arcs = [WrapArc.of(self.drive, self.drive.pulleys[0], case) for case in cases]
+        return max(abs(arc.entry_tension - arc.exit_tension) for arc in arcs)
+
+    def _loaded(self, said: WrapArc, arc: WrapArc, record: str) -> WrapArc:
         """The arc with its true tensions; pull by moments, the lagging compressed by T1."""
         leaving = said.exit_tension * self.tensions["exit_tension"]
         if self.kind.tensions == "cells":
             entry = said.entry_tension * self.tensions["entry_tension"]
             return replace(arc, entry_tension=entry, exit_tension=leaving)
+        leaving *= self.take_up[record]
         torque = (said.entry_tension - said.exit_tension) * (0.5 * said.diameter + said.offset)
         torque *= self.tensions["effective_tension"]
+        torque += self.bias * self.rated * (0.5 * said.diameter + said.offset)
         entry, radius = said.entry_tension, 0.5 * arc.diameter
         for _ in range(20):
             pressure = (entry - arc.centrifugal) / (arc.width * radius)
@@ -227,11 +258,14 @@ class Truth:
 class Record:
     """A calibrate file with what the gauges of the twin read."""
 
-    def __init__(self, station: Station, kind: Kind, seed: int, part: float = 1.0) -> None:
+    def __init__(
+        self, station: Station, kind: Kind, seed: int, part: float = 1.0, *, plant: bool = False
+    ) -> None:
         self.station, self.kind, self.rng = station, kind, np.random.default_rng(seed)
         self.drive = described(station.example, station.side)
         self.errors = {k: part * sd for k, sd in (STATED | TENSIONS[kind.tensions]).items()}
-        self.truth = Truth(self.drive, kind, self.errors, self.rng)
+        self.plant = plant
+        self.truth = Truth(self.drive, kind, self.errors, self.rng, plant=plant)
         self.traces: list[Trace] = []
         self.noise: list[float] = []  # in residuals: what would be measured less what was
 
@@ -262,17 +296,19 @@ class Record:
 
     def _errors(self) -> dict[str, str]:
         lengths = ("diameter", "pitch_offset")
-        return {
+        stated = {
             k: f"{1e3 * sd:g} mm" if k in lengths else f"{100.0 * sd:g} %"
             for k, sd in self.errors.items()
         }
+        return stated | ({"assumed": "plant"} if self.plant else {})
 
-    def _speeds(self, read: Gauges, quantity: str) -> dict[str, str]:
+    def _speeds(self, read: Gauges, quantity: str, arc: WrapArc) -> dict[str, str]:
         """Drum and belt speed as the shaft, the stated diameter and the wheel tell them."""
         speed = read.before if quantity.startswith("entry") else read.behind
         noise = 1.0 + READING * float(self._noise(sign=1.0)[0])  # what is shown is 1 - v/(omega R)
         drum = 0.5 * self.drive.pulleys[0].diameter  # at 1 rad/s
-        belt = speed * self.truth.wheel * noise
+        load = (arc.entry_tension - arc.exit_tension) / self.truth.rated
+        belt = speed * self.truth.wheel * noise * (1.0 - self.truth.by_torque * load)
         return {
             "drum_speed": f"{10.0 * drum!r} m/s", "belt_speed": f"{10.0 * belt!r} m/s",
             "sd": f"{100.0 * READING} %",
@@ -282,9 +318,9 @@ class Record:
         from arc.gauges import gauges
 
         idling, nip = self.station.idling, self.kind.zero
-        read = gauges(self.truth.arc(self.station.cases[0], idling))
+        arc = self.truth.arc(self.station.cases[0], idling)
         return {
-            "nip": nip, **self._speeds(read, nip),
+            "nip": nip, **self._speeds(gauges(arc), nip, arc),
             "entry_tension": f"{idling.entry} N", "exit_tension": f"{idling.exit} N",
         }  # fmt: skip
 
@@ -295,7 +331,7 @@ class Record:
         for quantity in self.kind.reads:
             about = {"quantity": quantity, "load_case": case}
             if quantity.endswith("creep_ratio"):
-                yield {**about, **self._speeds(gauges(arc), quantity)}
+                yield {**about, **self._speeds(gauges(arc), quantity, arc)}
             elif quantity == "exit_creep":
                 value = gauges(arc).creep + CHALK * float(self._noise()[0])
                 yield {**about, "value": f"{1e3 * value!r} mm", "sd": f"{1e3 * CHALK} mm"}
@@ -344,12 +380,17 @@ def readings(fit: Fit, x: Array) -> Array:
 
 
 def simulated(
-    count: int, *, first: int = 1, kinds: tuple[Kind, ...] = KINDS, part: float = 1.0
+    count: int,
+    *,
+    first: int = 1,
+    kinds: tuple[Kind, ...] = KINDS,
+    part: float = 1.0,
+    plant: bool = False,
 ) -> Iterator[Outcome]:
     """Calibrate to records of the twin, kinds and drives in turns, with a part of each error."""
     for seed in range(first, first + count):
         kind, station = kinds[seed % len(kinds)], STATIONS[seed // len(kinds) % len(STATIONS)]
-        record = Record(station, kind, seed, part)
+        record = Record(station, kind, seed, part, plant=plant)
         problem = record.problem()
         yield Outcome(kind, station, calibrate(problem), record.truth.values,
                       record.linear(problem))  # fmt: skip
@@ -378,10 +419,10 @@ def without_luck(outcomes: list[Outcome]) -> tuple[float, float]:
     return 0.95 + float(less.mean()), float(less.std(ddof=1) / np.sqrt(len(less)))
 
 
-def main(count: int, first: int) -> None:
+def main(count: int, first: int, *, plant: bool) -> None:
     """Print how many intervals hold the truth, by kind of record, by drive and in all."""
     outcomes = []
-    for done, outcome in enumerate(simulated(count, first=first), start=1):
+    for done, outcome in enumerate(simulated(count, first=first, plant=plant), start=1):
         outcomes.append(outcome)
         if done % 25 == 0:
             print(row(f"after {done}", outcomes), file=sys.stderr, flush=True)
@@ -397,4 +438,6 @@ def main(count: int, first: int) -> None:
 
 
 if __name__ == "__main__":
-    main(*(int(text) for text in (sys.argv[1:] + ["200", "1"][len(sys.argv) - 1 :])))
+    given = sys.argv[1:]
+    numbers = [int(text) for text in given if text != "plant"]
+    main(*(numbers + [200, 1][len(numbers) :]), plant="plant" in given)

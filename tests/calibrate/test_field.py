@@ -23,6 +23,8 @@ from wraparc.checks import Level
 from wraparc.checks import Verdict as Judgement
 from wraparc.drive.pitch import turns_an_hour
 
+pytestmark = pytest.mark.usefixtures("solved_once")
+
 #: Verdict on a drive of which nothing was checked.
 NO_DRIVE = format_verdict(Judgement(()))
 

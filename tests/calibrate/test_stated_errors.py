@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from cli.running import wraparc
 from shear_test.virtual import benchmark_module
 from wraparc import Distributed, WrapArc
 from wraparc.calibrate.calibration import Number, Problemset, calibrate
@@ -37,6 +38,29 @@ def test_at_the_truth_the_residuals_are_what_was_drawn(index: int) -> None:
     assert BENCH.readings(fit, x) == pytest.approx(drawn[:read], abs=0.3)
     count = len(problem.parameters)
     assert fit.prior_residuals(x)[count:] == pytest.approx(drawn[read + count :], rel=1e-12)
+
+
+@pytest.mark.parametrize("index", [0, 3, 5, 6])
+def test_errors_of_a_plant_that_are_assumed_are_those_of_its_record(index: int) -> None:
+    """The same where the twin has torque at no load, a rubbing take-up, another belt and law.
+
+    The file states none of them: what it assumes is what moves the readings.
+    """
+    station = BENCH.STATIONS[index % len(BENCH.STATIONS)]
+    record = BENCH.Record(station, BENCH.KINDS[index], seed=7 + index, plant=True)
+    problem = record.problem()
+    assert "modulus" in problem.assumed
+    cells = BENCH.KINDS[index].tensions == "cells"
+    assert any(name.startswith("take_up.") for name in problem.errors) is not cells
+    fit, x = Fit(problem), record.truth.variables(problem.variables)
+    drawn, read = record.draws(problem), len(record.noise)
+    assert BENCH.readings(fit, x) == pytest.approx(drawn[:read], abs=0.3)
+    # with any of them left out the readings are off by far more than their errors
+    without = x.copy()
+    for k, name in enumerate(problem.variables):
+        if name in problem.assumed or name.startswith("take_up."):
+            without[k] = 0.0
+    assert np.abs(BENCH.readings(fit, without) - drawn[:read]).max() > 1.0
 
 
 @pytest.mark.parametrize("kind", [BENCH.KINDS[0], BENCH.KINDS[4]], ids=lambda k: k.title)
@@ -86,3 +110,20 @@ def test_a_common_error_is_not_averaged_down(stated: float, repeats: int) -> Non
     half = 1.959964 * sqrt(stated**2 + (0.02 / steepness) ** 2 / repeats)
     assert 0.5 * log(found.high / found.low) == pytest.approx(half, rel=0.01)
     assert found.parts["lagging_shear"] == pytest.approx((1.959964 * stated / half) ** 2, rel=0.02)
+
+
+def test_what_is_assumed_of_a_plant_is_marked_in_the_answer() -> None:
+    pair = Path(__file__).parents[2] / "examples/test-pulley/published-pair.toml"
+    plant = ("--set", 'errors.assumed="plant"')
+    ran = wraparc("calibrate", pair, *plant, "--full")
+    assert ran.code == 0, ran.err
+    assert "Belt modulus 10 %, assumed" in ran.words
+    assert "Friction of the take-up (design) 3.6 %, assumed" in ran.words
+    plain = wraparc("calibrate", pair, "--full")
+    assert "assumed 0 %" not in plain.words
+    stated = wraparc("calibrate", pair, *plant, "--set", "errors.modulus=5 %", "--full")
+    assert "Belt modulus 5 %" in stated.words
+    found = wraparc("calibrate", pair, "--set", "errors.modulus=5 %",
+                    "--set", 'parameters=["friction", "belt_modulus"]')  # fmt: skip
+    assert found.code == 2
+    assert "contradicts belt_modulus in parameters" in found.err

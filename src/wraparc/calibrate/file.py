@@ -16,7 +16,15 @@ from wraparc.calibrate.calibration import (
     Trace,
 )
 from wraparc.calibrate.fold import Folded, fold
-from wraparc.calibrate.problem import ERRORS, OPEN_ZERO, arc_of, offset_by, usual_method
+from wraparc.calibrate.problem import (
+    ERRORS,
+    OPEN_ZERO,
+    PLANT_ERRORS,
+    arc_of,
+    offset_by,
+    take_up_error,
+    usual_method,
+)
 from wraparc.calibrate.record import ROLES, RecordChoices, read_record
 from wraparc.drive import Drive, Lagging, Limit, Tensions
 from wraparc.drive.belt import MOST_THICKNESS
@@ -45,6 +53,8 @@ _DIMENSIONS: dict[str, Dimension] = {
     "overrun": "length",
     "belt_modulus": "force_per_width",
 }
+#: Errors of what is a parameter, too: it is one or the other.
+_SAME = {"lagging_shear": "shear_modulus", "modulus": "belt_modulus", "slip_axis": "peak_slip"}
 _SPEED = Quantity("speed", Limit("speed", open=True))
 _LENGTH = Quantity("length", Limit("length", open=True))
 _SIGN = Choice(("+", "-"))
@@ -80,6 +90,16 @@ ERRORS_TABLE = Table(
     Entry("compression", "Of the compression of the lagging, by its modulus E_c.", _PART),
     Entry("lagging_shear", "Of the shear of the lagging, by its modulus G and thickness.", _PART),
     Entry("cover_shear", "Of that of the belt cover, by its modulus and thickness.", _PART),
+    Entry("torque_offset", "Of the maximum effective tension: torque at no load.", _PART),
+    Entry("take_up", "Of T2, of each record anew: friction of the take-up.", _PART),
+    Entry("modulus", "Of the modulus of the belt.", _PART),
+    Entry("slip_axis", "Of the slip axis of the friction law.", _PART),
+    Entry("speed_by_torque", "Of speeds, at the maximum effective tension.", _PART),
+    Entry(
+        "assumed",
+        "plant: those that the record of a plant has, where they are left out.",
+        Choice(("plant",)),
+    ),
     Entry("belt_speed", "Of the belt speed: radius of the wheel.", _PART),
     Entry("diameter", "Of the diameter over the lagging.", _LENGTH),
     Entry("pitch_offset", "Of the offset e of the tension member: covers and carcass.", _LENGTH),
@@ -173,7 +193,8 @@ def measured_from_document(document: Document, *, file: str = "", folder: str = 
     ]
     priors = _priors(record, report)
     zero = _zero(record.get("zero"), drive, pulley, report)
-    errors = _errors(record, drive, pulley, zero, report)
+    assumed = _assumed(record)
+    errors = _errors(record, drive, pulley, zero, assumed, report)
     report.raise_all()
     records = [f for f in folded if f is not None]
     sources = [
@@ -191,7 +212,7 @@ def measured_from_document(document: Document, *, file: str = "", folder: str = 
             pulley=pulley,
             parameters=tuple(dict.fromkeys(record.get("parameters", ()))),
             numbers=tuple(n for n in (*numbers, zero) if n is not None),
-            errors=errors,
+            assumed=assumed,
             zero=zero,
             traces=tuple(t for case, f in records for t in traces_of(f, case)),
             priors=priors,
@@ -199,7 +220,7 @@ def measured_from_document(document: Document, *, file: str = "", folder: str = 
         )
     )
     return Measured(
-        problem=problem,
+        problem=_of_each_record(errors, problem),
         title=record.get("title", ""),
         description=record.get("description", ""),
         folded=tuple(records),
@@ -300,30 +321,62 @@ def _zero(record: Any, drive: Drive, pulley: str, report: Report) -> Number | No
     )
 
 
-def _errors(
-    record: Record, drive: Drive, pulley: str, zero: Number | None, report: Report
-) -> dict[str, float]:
-    """Return the standard deviations of the errors that are fitted along.
+def _assumed(record: Record) -> tuple[str, ...]:
+    """Return the errors of a plant's record that are assumed, as the file leaves them out."""
+    stated, found = record.get("errors", {}), record.get("parameters", ())
+    if "assumed" not in stated or not found:
+        return ()
+    # load cells on both sides need no torque, and see what the take-up does
+    cells = {"entry_tension", "exit_tension"} <= set(stated)
+    known = {*stated, *(("torque_offset", "take_up") if cells else ())}
+    return tuple(k for k in PLANT_ERRORS if k not in known and _SAME.get(k) not in found)
 
-    Radius of the wheel, diameter and thickness of the belt all shift every speed ratio alike: no
-    record tells them apart, and they are one zero.
-    """
-    stated = record.get("errors", {})
+
+def _of_each_record(errors: dict[str, float], problem: Problemset) -> Problemset:
+    """Return the problem with the friction of the take-up as an error of each of its records."""
+    if "take_up" not in errors:
+        return replace(problem, errors=errors)
+    sd = errors["take_up"]
+    own = {take_up_error(state): sd for state in problem.used}
+    return replace(problem, errors={k: v for k, v in errors.items() if k != "take_up"} | own)
+
+
+def _check_errors(stated: dict[str, float], record: Record, report: Report) -> None:
+    """Report errors that contradict each other or what is to be found."""
     if {"entry_tension", "exit_tension", "effective_tension"} <= set(stated):
         report.add(
             ("errors", "effective_tension"),
             "three errors of two independent tensions",
             "Leave one of the three out.",
         )
-    if "lagging_shear" in stated and "shear_modulus" in record.get("parameters", ()):
-        report.add(
-            ("errors", "lagging_shear"),
-            "contradicts shear_modulus in parameters",
-            "Give it a prior instead, or leave one out.",
-        )
+    for key, parameter in _SAME.items():
+        if key in stated and parameter in record.get("parameters", ()):
+            report.add(
+                ("errors", key),
+                f"contradicts {parameter} in parameters",
+                "Give it a prior instead, or leave one out.",
+            )
     for key, value in stated.items():
         if not value > 0.0:
             report.add(("errors", key), "must be more than 0", "Leave it out where it is exact.")
+
+
+def _errors(
+    record: Record,
+    drive: Drive,
+    pulley: str,
+    zero: Number | None,
+    assumed: tuple[str, ...],
+    report: Report,
+) -> dict[str, float]:
+    """Return the standard deviations of the errors that are fitted along.
+
+    Radius of the wheel, diameter and thickness of the belt all shift every speed ratio alike: no
+    record tells them apart, and they are one zero.
+    """
+    stated = {k: v for k, v in record.get("errors", {}).items() if k != "assumed"}
+    _check_errors(stated, record, report)
+    stated |= {key: PLANT_ERRORS[key] for key in assumed}
     errors = {key: stated[key] for key in ERRORS if key in stated}
     on, speeds = drive.pulley(pulley), [r for r in _tables(record, "number") if "drum_speed" in r]
     e = pitch_offset(drive.belt, on.side)

@@ -18,6 +18,7 @@ from wraparc.calibrate.problem import (
     Trace,
     arc_of,
     calibrated_drive,
+    most_pull,
     offset_by,
     predicted_number,
     value_of,
@@ -35,6 +36,8 @@ _REIN = 3.0
 #: how many times off a trial may be [-]: far beyond what is told, and short of what no drive may be
 _FARTHEST = 100.0
 _STEP = 2e-4
+#: errors that change no arc
+_OF_SPEEDS = ("speed_zero", "speed_by_torque")
 #: points whose arcs are kept: the end of a usual fit asks again for its start and its best
 _KEPT = 64
 #: misfit of a trial at gross slip over the size of what was measured [-]: more than a drive that
@@ -55,7 +58,8 @@ class Fit:
         self.names = problem.variables
         self.start = np.array([variable_of(n, start[n]) for n in self.names])
         # a zero of the speeds changes no arc: those are solved for the other variables
-        self._arcs_of = [k for k, n in enumerate(self.names) if n != "speed_zero"]
+        self._arcs_of = [k for k, n in enumerate(self.names) if n not in _OF_SPEEDS]
+        self._most = most_pull(problem.drive, problem.pulley)
         self._known: dict[bytes, Solved] = {}
         self.first_sd = [
             t.sd if t.sd is not None else 0.01 * float(np.abs(t.value).max())
@@ -77,12 +81,14 @@ class Fit:
                 del self._known[next(iter(self._known))]
             self._known[key] = self._solved(x)
         results = self._known[key]
-        zero = self.values(x).get("speed_zero", 1.0)
+        values = self.values(x)
+        zero, slope = values.get("speed_zero", 1.0), values.get("speed_by_torque", 1.0) - 1.0
         beyond = {name: 0.0 if r.status.solved else _beyond(r) for name, r in results.items()}
         numbers = []
         for n in p.numbers:
             result, far = results[n.state], beyond[n.state]
-            value = predicted_number(result, n, zero)
+            share = (result.arc.entry_tension - result.arc.exit_tension) / self._most
+            value = predicted_number(result, n, zero * (1.0 - slope * share))
             numbers.append(n.value + far * max(abs(n.value), n.sd) if far else value)
         traces = []
         for t in p.traces:

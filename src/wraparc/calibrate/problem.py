@@ -38,7 +38,21 @@ ERRORS = (
     "compression",
     "lagging_shear",
     "cover_shear",
+    "torque_offset",
+    "take_up",
+    "modulus",
+    "slip_axis",
+    "speed_by_torque",
 )
+#: those that the record of a plant has beside its gains, and how large they usually are [-]:
+#: assumed where the file says that its record is of a plant
+PLANT_ERRORS = {
+    "torque_offset": 0.02,
+    "take_up": 0.036,
+    "modulus": 0.10,
+    "slip_axis": 0.10,
+    "speed_by_torque": 0.0004,
+}
 #: standard deviation of the zero of the speed ratio where only a zero record tells it [-]: more
 #: than any belt is thick
 OPEN_ZERO = 0.1
@@ -137,7 +151,10 @@ class Problemset:
         By parameter.
     errors
         Standard deviations of the logarithms of what of `ERRORS` the drive was measured with [-]:
-        these are fitted along, each held by its own.
+        these are fitted along, each held by its own. The take-up moves another way before each
+        record, so ``take_up.`` has the name of a load case behind it, or ``zero``.
+    assumed
+        Those of the errors that are assumed.
     zero
         The record at little load that zeroes the speed ratio, or None.
     method
@@ -156,6 +173,7 @@ class Problemset:
     traces: tuple[Trace, ...] = ()
     priors: Mapping[str, Prior] = field(default_factory=dict)
     errors: Mapping[str, float] = field(default_factory=dict)
+    assumed: tuple[str, ...] = ()
     zero: Number | None = None
     method: Method = field(default_factory=usual_method)
 
@@ -207,22 +225,24 @@ class Problemset:
             "shear_modulus": pulley.lagging.shear_modulus,
             "overrun": overrun,
             "belt_modulus": self.drive.belt.modulus,
-            **dict.fromkeys(ERRORS, 1.0),
+            **dict.fromkeys((*ERRORS, *self.errors), 1.0),
         }
 
 
 def calibrated_drive(drive: Drive, pulley: str, values: Mapping[str, float]) -> Drive:
     """Return the drive with parameters put in: factors on the law; moduli and overrun [SI]."""
     base = drive.pulley(pulley)
-    law = base.lagging.law.scaled(values.get("friction", 1.0), values.get("peak_slip", 1.0))
+    slip = values.get("peak_slip", 1.0) * values.get("slip_axis", 1.0)
+    law = base.lagging.law.scaled(values.get("friction", 1.0), slip)
     lagging = replace(
         base.lagging, law=law, shear_modulus=values.get("shear_modulus", base.lagging.shear_modulus)
     )
     changed = with_pulley(
         drive, replace(base, lagging=lagging, overrun=values.get("overrun", base.overrun))
     )
-    if "belt_modulus" in values:
-        changed = replace(changed, belt=replace(drive.belt, modulus=values["belt_modulus"]))
+    modulus = values.get("belt_modulus", drive.belt.modulus) * values.get("modulus", 1.0)
+    if modulus != drive.belt.modulus:
+        changed = replace(changed, belt=replace(drive.belt, modulus=modulus))
     return changed
 
 
@@ -249,11 +269,13 @@ def arc_of(
     if state[1] is not None:
         entry, leaving = state[1].entry, state[1].exit
     pull = (entry - leaving) * errors.get("effective_tension", 1.0)
+    pull += (errors.get("torque_offset", 1.0) - 1.0) * most_pull(drive, pulley)
     entry *= errors.get("entry_tension", 1.0)
-    leaving *= errors.get("exit_tension", 1.0)
-    if "effective_tension" in errors and "entry_tension" in errors:
+    leaving *= errors.get("exit_tension", 1.0) * errors.get(take_up_error(state), 1.0)
+    by_torque = "effective_tension" in errors or "torque_offset" in errors
+    if by_torque and "entry_tension" in errors:
         leaving = entry - pull
-    elif "effective_tension" in errors:
+    elif by_torque:
         entry = leaving + pull
     return replace(
         arc,
@@ -263,6 +285,17 @@ def arc_of(
         shear_modulus=arc.shear_modulus / errors.get("lagging_shear", 1.0),
         cover_compliance=arc.cover_compliance * errors.get("cover_shear", 1.0),
     )
+
+
+def take_up_error(state: State) -> str:
+    """Return the name of the error by the friction of the take-up, of one record."""
+    return "take_up.zero" if state[1] is not None else f"take_up.{state[0]}"
+
+
+def most_pull(drive: Drive, pulley: str) -> float:
+    """Return the largest effective tension of the load cases, which stands for rated torque [N]."""
+    arcs = (WrapArc.of(drive, drive.pulley(pulley), case) for case in drive.load_cases)
+    return max(abs(arc.entry_tension - arc.exit_tension) for arc in arcs)
 
 
 def speed_over_shaft(arc: WrapArc, creep_ratio: float, nip: Nip) -> float:

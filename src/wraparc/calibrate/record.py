@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -19,6 +19,7 @@ from wraparc.machine_tables import (
     plain_name,
     read_bytes,
 )
+from wraparc.machine_tables.log_names import are_of_drive
 from wraparc.units import Dimension, dimension_of, unit_factor
 
 _EXPORT = "Export rows of rotation angle, belt displacement and shear angle."
@@ -80,6 +81,7 @@ def read_record(path: str | os.PathLike[str], choices: RecordChoices | None = No
     if not problems and len(found) < 2:
         problems.append(_missing("displacement or shear_angle", columns, file))
     if problems:
+        refuse_log([column.name for column in columns], file)
         raise InputError(problems)
     style = table.found_style(file)
     values = {role: table.numbers(k, style) * factor for role, (k, factor) in found.items()}
@@ -88,6 +90,12 @@ def read_record(path: str | os.PathLike[str], choices: RecordChoices | None = No
     return PulleyRecord(
         unwrapped(values["angle"]), values.get("displacement"), values.get("shear_angle")
     )
+
+
+def refuse_log(names: Sequence[str], file: str) -> None:
+    """Refuse columns that are those of the log of a drive, with the command that reads one."""
+    if are_of_drive(names):
+        raise input_error(file=file, message="this is a log: wraparc learn FILE DRIVE")
 
 
 def _table(file: str, chosen: RecordChoices) -> RawTable:
