@@ -72,7 +72,11 @@ def _alike(one: str, other: str) -> int:
 
 def nearest(given: object, known: Iterable[str], most: int = 3) -> str:
     """Return "Did you mean ...?" with the nearest of the known words, or nothing."""
-    texts = [shown(word) for word in near(given, known, most)]
+    return did_you_mean([shown(word) for word in near(given, known, most)])
+
+
+def did_you_mean(texts: Sequence[str]) -> str:
+    """Return "Did you mean ...?" of what may be meant, as it is to be shown, or nothing."""
     return f"Did you mean {' or '.join(texts)}?" if texts else ""
 
 
@@ -116,7 +120,9 @@ class Problem:
         Line in the file, counted from 1.
     code
         What kind it is, for programs: ``missing`` where nothing stands, ``few_tensions`` where more
-        is needed to fix the tensions; else empty.
+        is needed to fix the tensions, ``unknown_key`` where there is no such key; else empty.
+    meant
+        The key that was probably meant by an unknown one; empty where none is near.
     """
 
     message: str
@@ -126,6 +132,7 @@ class Problem:
     value: str = ""
     line: int | None = None
     code: str = ""
+    meant: str = ""
 
     def __str__(self) -> str:
         place = self.file

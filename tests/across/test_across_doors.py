@@ -20,6 +20,8 @@ from wraparc.files import drive_from_text
 from wraparc.files.write import drive_text
 from wraparc.units import display, in_units
 
+pytestmark = pytest.mark.usefixtures("solved_once")
+
 EXAMPLES = Path(__file__).parents[2] / "examples"
 FABRIC = EXAMPLES / "worn-head-drive-fabric.toml"
 CORD = EXAMPLES / "worn-head-drive-steel-cord.toml"

@@ -186,6 +186,6 @@ def test_the_load_case_that_governs_stands_first() -> None:
     table = shown(across_tables(result)[0], "si")
     assert table.title == "Across the width: pulley head, load case start"
     text = in_units(judge(result).text)
-    assert text == "Creep 12.9 mm exceeds the 6.35 mm limit (head, worst strip, start)."
+    assert text == "Creep 12.9 mm exceeds the 6.35 mm limit (head, worst face strip, start)."
     rows = {row.title: row.values[0] for row in table.rows}
     assert rows["Maximum creep across the width"] == "12.9 mm"

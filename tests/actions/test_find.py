@@ -147,5 +147,5 @@ def test_a_size_that_no_drive_has_is_checked_before_anything_is_advised() -> Non
     assert judge(result).missed
     action = find_action(result)
     assert action is not None
-    assert in_units(action.text, "si") == "Check the unit: 1000 mm?"
+    assert in_units(action.text, "si") == "Check the unit of diameter: 1000 mm?"
     assert action.ways == ()

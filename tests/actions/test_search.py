@@ -36,6 +36,11 @@ class World:
 
     def __init__(self, limit: float, rating: float, also: tuple[str, ...] = ()) -> None:
         self.limit, self.rating, self.also, self.asked = limit, rating, also, 0
+        self.first = CREEP
+
+    def governed_by(self, name: str) -> "World":
+        self.first = name
+        return self
 
     def judged(self, of: Variant) -> Outcome:
         self.asked += 1
@@ -44,7 +49,8 @@ class World:
         tight = tension + T1_MINUS_T2 * (of.pull or 1.0)
         rating = of.rating or self.rating
         shares = {CREEP: creep / self.limit, TENSION: tight / rating}
-        levels = {name: 2 for name, share in shares.items() if share > 1.0}
+        order = sorted(shares, key=lambda name: name != self.first)
+        levels = {name: 2 for name in order if shares[name] > 1.0}
         levels |= dict.fromkeys(self.also, 2)
         passed = tuple(name for name in shares if name not in levels)
         return Outcome(True, levels, passed, shares, creep)
@@ -119,6 +125,13 @@ def test_the_way_that_leaves_fewest_is_offered_where_none_holds() -> None:
     (way,) = found.ways
     assert way.variant == Variant(tension=62.5)
     assert way.score.left == 1
+
+
+def test_no_way_is_offered_that_leaves_the_governing_check() -> None:
+    """Creep 20 over 1 stays; a belt rated 200 passes a check that does not govern."""
+    assert World(1.0, 199.0).ways(RATING) == []
+    (way,) = World(1.0, 199.0).governed_by(TENSION).ways(RATING)
+    assert way.rating >= 200.0
 
 
 def test_a_belt_is_rated_for_the_tension_with_which_it_is_used() -> None:

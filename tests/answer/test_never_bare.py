@@ -8,6 +8,8 @@ import pytest
 from cli.running import wraparc
 from files.samples import example
 
+pytestmark = pytest.mark.usefixtures("solved_once")
+
 UPHILL = example("uphill-conveyor")
 #: No level of speeds is an OK without the layers of the belt.
 LAYERS = ("--set", "belt.pulley_cover=4 mm", "--set", "belt.carcass=6 mm")

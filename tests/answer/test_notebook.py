@@ -12,6 +12,8 @@ from answer.drives import drive, solved
 from wraparc import MissingExtraError, load_lagging
 from wraparc.render.notebook import frame, html
 
+pytestmark = pytest.mark.usefixtures("solved_once")
+
 
 class Checker(HTMLParser):
     """Collects the text and insists that every tag is closed in order."""

@@ -5,6 +5,8 @@ import pytest
 from cli.running import wraparc
 from wraparc import load_drive, load_train, solve, solve_train
 
+pytestmark = pytest.mark.usefixtures("solved_once")
+
 
 def test_a_printed_result_is_the_short_answer(monkeypatch: pytest.MonkeyPatch) -> None:
     """Only how the rest is asked for differs between the doors."""

@@ -175,8 +175,11 @@ def test_what_wears_a_turn_is_the_sliding_power() -> None:
         worked = turns * area * energy.frictional_energy / 3600.0
         exact = energy.sliding_power * (1.0 - result.entry_creep_ratio)
         assert worked == pytest.approx(exact, rel=1e-12)
-        at, slip = result.profile.position, result.profile.slip
+        fine = Distributed(points=4000, capacities=False).solve(arc).profile
+        at, slip = fine.position, fine.slip
         step = np.diff(at) > 1e-9
         steepest = np.max(np.abs(np.diff(slip)[step] / np.diff(at)[step]))
         omega = 3.0 / (arc.radius + arc.offset)
-        assert slip_speed(result) == pytest.approx(omega * steepest, rel=1e-12)
+        # a step of the profile has the mean of its slope: the same to its curvature, and no more
+        assert omega * steepest <= slip_speed(result) * (1.0 + 1e-9)
+        assert slip_speed(result) == pytest.approx(omega * steepest, rel=1e-3)

@@ -18,7 +18,7 @@ import pytest
 from numpy.typing import NDArray
 
 from batch.batches import designs
-from wraparc.batch import solve_batch
+from wraparc.batch import Setting, solve_batch
 from wraparc.batch.arcs import arcs_of_table
 from wraparc.errors import InputError
 from wraparc.files import load_lagging
@@ -203,3 +203,15 @@ def test_a_belt_that_presses_on_no_pulley_is_told_with_the_rest() -> None:
             "Correct rows 1, 2."
         ),
     ]
+
+
+def test_a_setting_is_taken_by_its_name() -> None:
+    table = {
+        "entry_tension": 1e5, "exit_tension": 5e4, "diameter": 1.0, "wrap_angle": 3.2,
+        "belt_width": 1.2, "belt_modulus": 1.3e7,
+    }  # fmt: skip
+    of = load_lagging("diamond-rubber")
+    named = solve_batch(table, of, setting="precise")
+    assert named["exit_creep"] == solve_batch(table, of, setting=Setting.PRECISE)["exit_creep"]
+    with pytest.raises(InputError, match=r"setting: no such setting, got .*precice.*precise"):
+        solve_batch(table, of, setting="precice")

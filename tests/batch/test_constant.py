@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from batch.batches import designs, lagging
+from wraparc.arc.capacity import CAPACITIES
 from wraparc.arc.quantities import BREAKAWAY, SOLVED
 from wraparc.arrays import Array
 from wraparc.batch import constant, precise, row
@@ -69,3 +70,12 @@ def test_a_stiff_lagging_slips_over_the_classical_arc() -> None:
     sticks = done & (found[:, row.STUCK_LENGTH] > 25.0 * lag)
     assert np.count_nonzero(sticks) > 50
     np.testing.assert_allclose((found[:, row.STUCK_LENGTH] / radius)[sticks], expected[sticks])
+
+
+def test_what_rows_have_found_is_kept() -> None:
+    """Capacities are found by rows before an arc on the verge of gross slip is left to these."""
+    arcs = wide(200, 53)
+    found: Array = np.full((200, row.FOUND_NUMBERS), 7.0)
+    constant.solve_constant(arcs, np.ones(200, dtype=bool), found)
+    others = [place for part, places in row.PLACES.items() if part & CAPACITIES for place in places]
+    assert (found[:, others] == 7.0).all()

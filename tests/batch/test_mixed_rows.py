@@ -14,12 +14,15 @@ from typing import Any
 import numpy as np
 import pytest
 
+from arc.drives import SOFTENING
 from batch.batches import OF_OPERATING_POINT, SMALL
 from batch.mixed import SHIPPED, any_laggings, any_row, arc_of, table_of
 from wraparc.arc import Distributed, WrapArc
+from wraparc.arc.quantities import BREAKAWAY
 from wraparc.batch import STATUSES, Setting, solve_batch
 from wraparc.batch.arcs import arcs_of_table
-from wraparc.batch.row import EVERYTHING
+from wraparc.batch.precise import solve_precisely
+from wraparc.batch.row import EVERYTHING, OUTCOME, TENSIONS
 from wraparc.batch.rows import solve_rows
 from wraparc.files import load_lagging
 from wraparc.friction import IntegralLog, PressurePower
@@ -174,3 +177,51 @@ def test_an_overrun_beyond_the_creep_limit_leaves_no_capacity() -> None:
     capacity = alone.capacities.creep_limit_capacity
     assert capacity < 1.0
     assert row["creep_limit_capacity"][0] == pytest.approx(capacity, rel=1e-5)
+
+
+def test_rows_that_idle_on_an_overrun_need_no_scalar_solver() -> None:
+    """They are as solvable as any: creep from the overrun, which no pull carries. Twin: one arc."""
+    rng = np.random.default_rng(54)
+    laggings = [load_lagging(name) for name in SHIPPED]
+    n = 24
+    tension = rng.uniform(30e3, 150e3, n)
+    pull = np.where(np.arange(n) % 2 == 0, 0.0, rng.uniform(-9e-6, 9e-6, n))
+    table: dict[str, Any] = {
+        "entry_tension": tension, "exit_tension": tension * np.exp(pull),
+        "diameter": rng.uniform(0.6, 1.4, n), "wrap_angle": rng.uniform(2.8, 4.0, n),
+        "belt_width": 1.2, "belt_modulus": 13e6, "lagging": np.arange(n) % 3,
+    }  # fmt: skip
+    arcs = arcs_of_table(table, laggings)
+    assert not solve_rows(arcs, TENSIONS, 1e-6)[1].any()
+    columns = dict(solve_batch(table, laggings, setting=Setting.PRECISE, capacities=False))
+    for i in range(n):
+        of = laggings[i % 3]
+        arc = WrapArc(
+            law=of.law, entry_tension=float(tension[i]),
+            exit_tension=float(table["exit_tension"][i]), diameter=float(table["diameter"][i]),
+            wrap_angle=float(table["wrap_angle"][i]), width=1.2, axial_stiffness=1.2 * 13e6,
+            thickness=of.thickness, shear_modulus=of.shear_modulus,
+            compression_modulus=of.compression_modulus,
+        )  # fmt: skip
+        alone = Distributed(capacities=False).solve(arc)
+        for key in ("exit_creep", "peak_shear_stress", "entry_creep_ratio"):
+            assert columns[key][i] == pytest.approx(getattr(alone, key), rel=WITHIN)
+
+
+def test_rows_that_break_away_past_the_peak_need_no_scalar_solver() -> None:
+    """Tensions that no creep carries, though the plateau of friction would. Twin: one arc each."""
+    of = load_lagging("diamond-rubber")
+    law = replace(SOFTENING, tested=None)
+    lagging = replace(of, law=law)
+    tight, ratios = 150e3, np.exp(np.linspace(3.8, 5.0, 25))
+    table: dict[str, Any] = {
+        "entry_tension": tight, "exit_tension": tight / ratios, "diameter": 0.8,
+        "wrap_angle": 3.2, "belt_width": 1.2, "belt_modulus": 13e6,
+    }  # fmt: skip
+    arcs = arcs_of_table(table, lagging)
+    found, left = solve_rows(arcs, TENSIONS, 1e-6)
+    exact = solve_precisely(arcs, TENSIONS)
+    assert (found[:, OUTCOME] == exact[:, OUTCOME]).all()
+    away = exact[:, OUTCOME] == BREAKAWAY
+    assert 5 < away.sum() < 25
+    assert left[away].sum() <= 1  # one may be next to the largest ratio

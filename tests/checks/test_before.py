@@ -12,7 +12,7 @@ def test_a_usual_drive_misses_nothing() -> None:
 
 
 def test_everything_that_needs_no_solving_is_said() -> None:
-    odd = drive(4e6, 15e3, belt=replace(BELT, width=12.0, least_pulley_diameter=1.0))
+    odd = drive(4e6, 15e3, belt=replace(BELT, width=6.0, least_pulley_diameter=1.0))
     told = before(odd)
     assert told.level is Level.FAILS
     assert {c.name for c in told.missed} == {
@@ -21,10 +21,11 @@ def test_everything_that_needs_no_solving_is_said() -> None:
     }  # fmt: skip
     text = verdict_words(told)
     for said in (
-        "Belt width 12 m is outside the usual 200 to 4000 mm. Check the unit: 12 in or 12 ft?",
+        "Belt width 6000 mm is outside the usual 200 to 4000 mm. Check the unit of belt width: 6 "
+        "ft or 600 mm?",
         "Pulley diameter 800 mm is below the belt minimum 1000 mm (head).",
-        "Belt tension 4000 kN exceeds the 2100 kN rating (head, full).",
-        "Wrap pressure 833 kPa exceeds the tested 690 kPa (head, full).",
-        "Wrap pressure 3.125 kPa is below the tested 34 kPa (head, full).",
+        "Belt tension 4000 kN exceeds the 1050 kN rating (head, full).",
+        "Wrap pressure 1670 kPa exceeds the tested 690 kPa (head, full).",
+        "Wrap pressure 6.25 kPa is below the tested 34 kPa (head, full).",
     ):
         assert said in text

@@ -101,6 +101,7 @@ def test_rows_of_a_study_end_as_the_drive(over: float) -> None:
     ("name", "rating", "strength"),
     [
         ("EP 630/4", None, 630e3),  # DIN 22102: N/mm before the plies
+        ("PN 440/4 PIW", None, None),  # a rated tension, not the strength
         ("ACME ep1000/4", 100e3, 1000e3),
         ("NN-500/3 X", None, 500e3),
         ("630/4", 63e3, 630e3),

@@ -10,8 +10,12 @@ import pytest
 
 from checks.test_rows import judged, quiet
 from cli.running import DRIVE, drive_file, wraparc
-from wraparc.checks import Check, Level
+from judgement.rows import BASE
+from wraparc import solve
+from wraparc.actions import find_action
+from wraparc.checks import Check, Level, judge
 from wraparc.drive import CaseKind, Drive
+from wraparc.files import drive_from_text
 from wraparc.units import in_units
 
 
@@ -41,7 +45,7 @@ def test_a_name_that_says_start_or_stop_is_asked_about(name: str, kind: str) -> 
     (check,) = asked(name)
     shown = f'"{name}"' if "," in name else name
     assert in_units(check.text) == f"Load case {shown} is judged as running."
-    assert check.action_text == f'Set kind = "{kind}".'
+    assert check.action_text == f'Set kind = "{kind}" in load case {shown}.'
     assert check.level is Level.ATTENTION
     assert judged(renamed(name)).level is Level.ATTENTION
     assert not asked(name, "starting")
@@ -76,3 +80,20 @@ def test_two_such_load_cases_are_two_checks() -> None:
     cases = tuple(replace(of.load_cases[0], name=name) for name in ("start", "stop"))
     found = [c for c in judged(replace(of, load_cases=cases)).checks if c.name == "case_kind"]
     assert [c.place.load_case for c in found] == ["start", "stop"]
+
+
+def test_a_start_that_is_judged_as_running_needs_no_stronger_belt() -> None:
+    """160 kN on 1200 mm of 120 kN/m is over the rating, 144 kN, that a start may exceed."""
+    text = BASE.replace('speed = "3 m/s"', 'speed = "3 m/s"\nrating = "120 kN/m"')
+    text += (
+        '[[load_case]]\nname = "full start"\npulley.head.entry_tension = "160 kN"\n'
+        'pulley.head.exit_tension = "95 kN"\n'
+    )
+    result = solve(drive_from_text(text))
+    verdict = judge(result)
+    assert verdict.governing is not None
+    assert verdict.governing.name != "case_kind"
+    assert verdict.governing.place.load_case == "full start"
+    action = find_action(result)
+    assert action is not None
+    assert in_units(action.text) == 'Set kind = "starting" in load case full start.'

@@ -138,6 +138,93 @@ OTHER_BELT = (
     CONVEYOR.replace("take_up_tension = \"40 kN\"", 'counterweight = "8000 kg"\nstart_factor = 1.4')
     .replace("capacity = \"1000 t/h\"", 'material_mass = "92 kg/m"\nsecondary_resistance = "4 kN"')
 )  # fmt: skip
+FLIGHTS = (
+    CONVEYOR.replace("width =", 'thickness = "15 mm"\nwidth =')
+    .replace('capacity = "1000 t/h"\n', "")
+    .replace(
+        'take_up_tension = "40 kN"\n',
+        """take_up_tension = "40 kN"
+carry_spacing = "1.2 m"
+return_spacing = "3 m"
+sag_limit = 0.01
+rest_friction = 0.5
+stop_time = "40 s"
+cema = { idler_friction = "1.5 lbf", temperature_factor = 1.2, ky = 0.02, other = "2 kN" }
+[conveyor.travel]
+temperature_range = 50
+thermal_expansion = 0.00012
+splice_length = "6 m"
+permanent_elongation = 0.002
+[[conveyor.flight]]
+name = "level"
+length = "400 m"
+lift = "2 m"
+friction_factor = 0.021
+carry_idler_mass = "17 kg/m"
+return_idler_mass = "7 kg/m"
+[[conveyor.flight]]
+name = "ramp"
+length = "200 m"
+slope = "5.16 deg"
+curve_radius = "300 m"
+carry_spacing = "1.1 m"
+return_spacing = "3.2 m"
+[[conveyor.loading]]
+name = "mine"
+capacity = "600 t/h"
+material_speed = "1 m/s"
+skirt_width = "0.8 m"
+acceleration_length = "2 m"
+belt_friction = 0.5
+skirt_friction = 0.6
+density = "1600 kg/m3"
+[[conveyor.loading]]
+name = "plant"
+position = "300 m"
+material_mass = "40 kg/m"
+[[conveyor.load_case]]
+name = "heavy"
+loaded = "inclines"
+factor.ramp = 1.2
+[[conveyor.drive]]
+pulley = "head"
+brake_share = 1.0
+[[conveyor.resistance]]
+kind = "pulley"
+at = "tail"
+diameter = "800 mm"
+shaft_diameter = "140 mm"
+wrap_angle = "180 deg"
+mass = "900 kg"
+[[conveyor.resistance]]
+kind = "cleaner"
+at = "return"
+position = "20 m"
+width = "1.1 m"
+thickness = "8 mm"
+pressure = "40 kPa"
+friction = 0.6
+count = 2
+[[conveyor.resistance]]
+kind = "skirt"
+position = "5 m"
+length = "4 m"
+width = "0.8 m"
+density = "1600 kg/m3"
+friction = 0.6
+[[conveyor.resistance]]
+kind = "tilt"
+strand = "return"
+angle = "1.5 deg"
+trough_coefficient = 0.4
+friction = 0.3
+length = "100 m"
+[[conveyor.resistance]]
+kind = "force"
+force = "800 N"
+""",
+    )
+)
 CONVERTER = MOTORS.replace('kind = "induction"', 'kind = "converter"').replace(
     'synchronous_speed = "1500 rpm"\n',
     "setting = 1.0\ndroop = 0.01\ntorque_limit = 1.6\ngear_efficiency = 0.96\n"
@@ -182,6 +269,9 @@ ONE = "is a part of the whole, and may be little of it"
 SMALL = "as little as this is none of it"
 #: Ends of key paths, where nothing sensible can be said of them, and why.
 FREE = {
+    r"conveyor\..*position$": ("down", SMALL),
+    r"conveyor\.rest_friction": ("down", ONE),
+    r"load_case\.factor": ("down", "a flight may be all but empty"),
     r"conveyor\.(lift|special_resistance|take_up_distance)": ("down", SMALL),
     r"across\.(misalignment|deflection|shell_profile|worn_depth|build_up)": ("down", SMALL),
     r"(overrun|rise|run_out|joint_rise|ripple|lag|damping|filter_time)$": ("down", SMALL),
@@ -244,6 +334,7 @@ def asked(document: Any) -> bool:
 def documents() -> dict[str, Any]:
     texts = {
         "head": HEAD, "blocks": BLOCKS, **PULLS, "conveyor": BELT, "other conveyor": OTHER_BELT,
+        "flights": FLIGHTS,
         "induction": INDUCTION, "converter": CONVERTER, "coupled": COUPLED, "shares": SHARED,
         **{
             f"control {name}": IN_TIME.replace("[]", f"[{{ {HAPPENS[0]} }}]").replace(
@@ -284,7 +375,7 @@ ELSEWHERE = {
     "uncertainty": "of a profile: it widens an interval alone",
     "rows": "of a profile: its heights are asked about",
     "entry_profile": "a strip that goes slack or is overloaded is a check of its own",
-    "count": "one to eight motors",
+    "count": "one to eight motors", "modulus_loads": "a percentage of 100 % at most",
     "continuity": "of pieces: a step that is larger is refused", "from": "of pieces: as tests",
     "to": "the same", "residual_noise": "written by fit", "covariance": "written by fit",
     "post_peak_slope": "the friction at the end of the tests is asked about",

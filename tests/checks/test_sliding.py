@@ -286,8 +286,8 @@ def test_a_drive_beyond_its_tests_is_never_ok() -> None:
     assert check.level is Level.ATTENTION  # it is not known to slide
     assert verdict.governing is check
     said = in_units(verdict.text)
-    assert said.startswith("Slip leaves the tested range at 0.")
-    assert said.endswith("times Te, minimum 1.25 (head, full).")
+    assert said.startswith("Tested friction transmits 0.")
+    assert said.endswith(" times Te, minimum 1.25 (head, full).")
 
 
 def test_where_no_creep_carries_the_pull_the_sentence_is_one() -> None:

@@ -85,7 +85,7 @@ def held_in(of: Drive, case: LoadCase) -> float:
 
 def by(conveyor: Conveyor, of: Drive) -> Drive:
     """Return a drive with the load cases of a conveyor."""
-    cases = tuple(load_case(state, of.pulleys[0].name) for state in conveyor.states())
+    cases = tuple(load_case(state, of.pulleys[0].name, {}) for state in conveyor.states())
     return replace(of, conveyor=conveyor, load_cases=cases)
 
 

@@ -23,10 +23,13 @@ def said(**of: Any) -> list[str]:
     ("of", "text"),
     [
         ({"pulley": {"wrap_angle": 9.42}}, "Wrap 540 deg exceeds 270 deg on one pulley (head)."),
-        ({"pulley": {"wrap_angle": 0.0575958653158129}}, "Check the unit: 3.3 rad?"),  # 3.3 deg
-        ({"creep_limit": 0.25}, "Check the unit: 25 mm or 0.25 cm?"),  # 250 mm
-        ({"creep_limit": 0.16129}, "Check the unit: 6.35 mm?"),  # 6.35 in
-        ({"pulley": {"diameter": 630.0}}, "Check the unit: 630 mm?"),
+        (
+            {"pulley": {"wrap_angle": 0.0575958653158129}},
+            "Check the unit of wrap: 3.3 rad?",
+        ),  # 3.3 deg
+        ({"creep_limit": 0.25}, "Check the unit of creep limit: 25 mm or 0.25 cm?"),  # 250 mm
+        ({"creep_limit": 0.16129}, "Check the unit of creep limit: 6.35 mm?"),  # 6.35 in
+        ({"pulley": {"diameter": 630.0}}, "Check the unit of diameter: 630 mm?"),
         (
             {"lagging": lagging(thickness=0.12)},
             "Lagging thickness 120 mm is outside the usual 0 to 60 mm (head).",
@@ -36,13 +39,16 @@ def said(**of: Any) -> list[str]:
             {"lagging": lagging(bond_strength=2.0)},
             "Bond strength 0.002 kPa is outside the usual 10 kPa to 50 MPa (head).",
         ),
-        ({"lagging": lagging(fatigue_limit=2e9)}, "Check the unit: 2 MPa or 2 psi?"),  # 2 GPa
+        (
+            {"lagging": lagging(fatigue_limit=2e9)},
+            "Check the unit of fatigue limit: 2 MPa or 2 psi?",
+        ),  # 2 GPa
         (
             {"belt": {"modulus": 175e3}},
             "Belt modulus over rating 1 is outside the usual 15 to 1000. Check belt.modulus",
         ),
         ({"belt": {"modulus": 1000e3}}, "Check belt.modulus and belt.rating: both per width."),
-        ({"belt": {"rating": 175.0}}, "Check the unit: 175 kN/m"),
+        ({"belt": {"rating": 175.0}}, "Check the unit of belt rating: 175 kN/m"),
         (
             {"belt": {"strength": 100e3}},
             "Belt strength over rating 0.571 is outside the usual 4 to 20.",

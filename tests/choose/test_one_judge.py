@@ -29,6 +29,8 @@ from wraparc.train import solve_train
 from wraparc.train.file import load_train
 from wraparc.units import in_units
 
+pytestmark = pytest.mark.usefixtures("solved_once")
+
 SHIPPED = tuple(load_lagging(n) for n in ("diamond-rubber", "medium-ceramic", "full-ceramic"))
 
 

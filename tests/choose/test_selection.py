@@ -331,11 +331,17 @@ def test_the_nearest_of_infeasible_designs_is_told() -> None:
     assert "creep" in found.broken(found.nearest())
 
 
-def test_a_candidate_without_cost_is_refused() -> None:
+def test_a_belt_without_cost_is_refused_and_a_lagging_is_left_out() -> None:
     from wraparc.choose.cost import Costing
 
     with pytest.raises(InputError) as raised:
         search(costing=Costing(currency="EUR"))
     text = str(raised.value)
-    assert 'lagging "diamond-rubber" has no cost' in text
+    assert "lagging" not in text
     assert 'belt "cord" has no cost' in text
+    free = search(costing=replace(search().costing, laggings={}))
+    assert free.unpriced == {"diamond-rubber": "", "full-ceramic": ""}
+    found = choose(free)
+    assert np.isnan(found.costs.lagging).all()
+    assert found.costs.total == pytest.approx(found.costs.belt + found.costs.energy)
+    assert found.next_dearer() is None

@@ -203,7 +203,7 @@ def test_what_else_than_creep_the_drive_misses_comes_first(tmp_path: Path) -> No
     assert ran.code == 1
     assert (
         "FAILS Belt tension 150 kN exceeds the 108 kN rating (head, design). "
-        "Action Use lagging full-ceramic and a belt rated 125 kN/m. "
+        "Action Use lagging full-ceramic and a belt rated 125 kN/m (now 90 kN/m). "
         "Change worn to 8 mm: creep 7.20 mm, FAILS belt tension. "
         "Also ATTENTION: Creep 7.49 mm exceeds the 6.35 mm limit (head, design)." in ran.words
     )

@@ -107,7 +107,7 @@ def test_the_json_of_a_train_has_the_verdict_on_the_train(tmp_path: Path) -> Non
         "utf-8",
     )
     told = wraparc("solve", file, "--json", "-").json
-    lead = "Creep 101 mm exceeds 63.5 mm: gross slip (first, design, wet)."
+    lead = "Creep 101 mm exceeds the 63.5 mm gross-slip limit (first, design, wet)."
     assert told["verdict"]["text"] == lead
     assert told["verdict"] == told["train"]["verdict"]
     assert told["least_tension"] == told["train"]["least_tension"]
@@ -130,4 +130,7 @@ def test_conditions_have_a_level_each_and_one_line_on_the_data(tmp_path: Path) -
     assert "dry wet Verdict OK ATTENTION " in told
     whole = wraparc("solve", file).words
     assert "ATTENTION diamond-rubber not tested wet: dry friction times 0.824 used (f" in whole
-    assert "Action Test the lagging wet. Data Friction, block, E_c illustrative; G est" in whole
+    assert (
+        "Action Test lagging diamond-rubber wet. Reserve FAILS at Te +58 %. Data Friction, blo"
+        in whole
+    )

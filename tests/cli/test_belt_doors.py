@@ -7,6 +7,7 @@ tells of speeds comes with one line where the layers are not known, and with non
 from __future__ import annotations
 
 import json
+import re
 import shutil
 from pathlib import Path
 
@@ -132,7 +133,7 @@ def test_no_ok_where_a_trim_is_open_without_the_thickness(
     assert attention, ran.err
     assert "OK" not in before.split()
     shift = "0.25" if "1000 mm" in drum else "1"
-    missing = f"Trim uncertain by {shift} %: belt thickness missing (second, "
+    missing = f"Speed trim uncertain by {shift} %: belt thickness missing (second, "
     if name == "study":
         missing = "miss a check; governing: a trim without the thickness of the belt."
     elif name == "trim":  # its own action leads
@@ -140,3 +141,72 @@ def test_no_ok_where_a_trim_is_open_without_the_thickness(
     else:
         assert "Action Give pulley_cover, carry_cover and carcass." in ran.words
     assert missing in ran.words, ran.out
+
+
+@pytest.fixture(scope="module")
+def named(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The examples with a belt by its standard name in every drive."""
+    folder = tmp_path_factory.mktemp("named") / "examples"
+    shutil.copytree(example("tandem-fabric").parent, folder)
+    for path in folder.rglob("*.toml"):
+        text = re.sub(r'^preset = "(Ply|Flex).*"', NAMED, path.read_text("utf-8"), flags=re.M)
+        path.write_text(text, "utf-8")
+    return folder
+
+
+NAMED = 'name = "EP 1250/4 6+3 Y"'
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+def test_every_command_takes_a_belt_by_its_standard_name(
+    name: str, named: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(named)
+    ran = wraparc(*COMMANDS[name])
+    assert ran.code in (0, 1), ran.err
+    assert ran.err == "" or "Error" not in ran.err
+    if name == "solve":
+        for word in ("EP 1250/4 6+3 Y", "Breaking strength 1250 kN/m by its name", "Cover"):
+            assert word.lower() in ran.words.lower()
+
+
+CHOOSE = """format = 1
+drive = "head-drive-fabric.toml"
+[candidates]
+belts = ["EP 1250/4", "ST 1600"]
+[cost]
+currency = "AUD"
+years = 10
+hours.design = 6000
+[cost.belt."EP 1250/4"]
+price = 100
+life_years = 5
+[cost.belt."ST 1600"]
+price = 200
+life_years = 10
+"""
+VARIED = """format = 1
+drive = "head-drive-fabric.toml"
+[[axis]]
+field = "belt.preset"
+values = ["EP 1250/4", "ST 1600", "Plylon Plus 1000/4"]
+"""
+
+
+def test_belts_of_standard_names_are_compared_varied_and_chosen(
+    named: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(named)
+    Path("choose.toml").write_text(CHOOSE, "utf-8")
+    Path("varied.toml").write_text(VARIED, "utf-8")
+    for of in (
+        ("choose", "choose.toml"),
+        ("study", "varied.toml"),
+        ("what-if", "head-drive-fabric.toml", "--belt", "EP 1250/4", "--belt", "ST 1600"),
+    ):
+        ran = wraparc(*of)
+        assert ran.code in (0, 1), ran.err
+        assert "EP 1250/4" in ran.words or "ST 1600" in ran.words
+    wrong = wraparc("what-if", "head-drive-fabric.toml", "--belt", "EP 12500/4")
+    assert wrong.code == 2
+    assert '"EP 1250/4"' in wrong.err.partition("Did you mean")[2]

@@ -76,6 +76,25 @@ def test_belts_lists_all_by_kind() -> None:
     assert ran.code == 0
     for belt in catalogue.belts():
         assert belt.name in ran.out
-    assert "Flexsteel ST2000 300 kN/m 144000 kN/m 1000 mm" in ran.words
-    assert "Plylon Plus 1000/4 175 kN/m 12960 kN/m -" in ran.words
+    assert "Flexsteel ST2000 300 kN/m 144000 kN/m not stated 1000 mm" in ran.words
+    assert "Plylon Plus 1000/4 175 kN/m 12960 kN/m not stated -" in ran.words
     assert "[1] Goodyear EP conveyor belt catalogue, 2012" in ran.words
+    assert "Standard names are read too: EP 630/3, EP 1000/4 6+3 Y, NN 500/4, ST 2000" in ran.words
+
+
+def test_a_belt_by_its_standard_name_shows_every_number_with_its_source() -> None:
+    ran = wraparc("belts", "EP 1000/4 6+3 Y", "ST 7500")
+    assert ran.code == 0
+    assert "Belt EP 1000/4 6+3 Y" in ran.words
+    assert "Breaking strength 1000 kN/m" in ran.words
+    assert "Modulus M 7500 kN/m published [2], estimated: 7.5 times the strength" in ran.words
+    assert "Published moduli 5000 to 12000 kN/m" in ran.words
+    assert "Carrying cover 6 mm" in ran.words
+    for absent in ("Cord diameter", "Cord pitch", "Minimum drive pulley", "Carrying cover"):
+        assert f"{absent} not available" in ran.words  # of ST 7500
+
+
+def test_a_belt_with_a_typing_slip_is_asked() -> None:
+    code, out, err = wraparc("belts", "EP 6300/3")
+    assert (code, out) == (2, "")
+    assert 'Did you mean "EP 630/3"' in err

@@ -8,6 +8,8 @@ import pytest
 from cli.running import wraparc
 from wraparc.cli.demo import command_name, examples_folder
 
+pytestmark = pytest.mark.usefixtures("solved_once")
+
 
 def test_the_demo_lays_out_solves_and_draws(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch

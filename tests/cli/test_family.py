@@ -16,6 +16,8 @@ from wraparc.arc.family import tension_ratio_family
 from wraparc.friction import Constant
 from wraparc.plot.family import plot_family
 
+pytestmark = pytest.mark.usefixtures("solved_once")
+
 EXAMPLES = Path(__file__).parents[2] / "examples"
 DRIVE = str(EXAMPLES / "head-drive-fabric.toml")
 

@@ -15,8 +15,10 @@ from typing import Any, NamedTuple
 import pytest
 
 from cli.running import wraparc
+from learn.plant import Made, readings, written
 from wraparc import actions
 from wraparc.answer.words import stated_action
+from wraparc.catalogue import lagging_names
 from wraparc.checks import Level, judge
 from wraparc.cli.group import COMMANDS
 from wraparc.units import DIMENSION_TEXT
@@ -30,9 +32,11 @@ ONE = (
     "worn-head-drive-fabric", "worn-head-drive-steel-cord",
 )  # fmt: skip
 TRAINS = ("tandem-fabric", "tandem-steel-cord", "triple-steel-cord")
-LABELS = ("Action", "Change", "Also", "Wet", "Reserve", "Data")
+LABELS = ("Action", "Change", "Also", "Wet", "Reserve", "Probability", "Data")
 #: Most words of a line by its label; of a level as of another sentence.
-MOST = {"Action": 20, "Wet": 8, "Reserve": 20, "Change": 15, "Also": 15, "Data": 15}
+MOST = {
+    "Action": 20, "Wet": 8, "Reserve": 20, "Probability": 15, "Change": 15, "Also": 15, "Data": 15,
+}  # fmt: skip
 
 
 class Line(NamedTuple):
@@ -99,6 +103,7 @@ def asked(folder: Path) -> Iterator[tuple[str, ...]]:
     yield "fit", "shear_tests/plan.toml"
     yield "read", "shear_tests/dry-0034kPa-1.csv"
     yield "read", "shear_tests/wet-0138kPa-2.MTR", "--unit", "Elongation=mm", "--unit", "Force=N"
+    yield "learn", str(written(folder, readings(Made(days=4.0))))
     for name in ("test-pulley/published-pair", "wet-season/wet-day-record"):
         yield "calibrate", f"{name}.toml"
         yield "overlay", f"{name}.toml"
@@ -109,10 +114,14 @@ def asked(folder: Path) -> Iterator[tuple[str, ...]]:
         fewer = ("--set", f"sampling.samples={samples}") if samples else ()
         yield "study", f"studies/{name}.toml", "-o", str(folder / f"{name}.parquet"), *fewer
 
+    few = ("--set", "axis[1].count=2", "--set", "points=20")
+    yield "study", "studies/start-ramp.toml", "-o", str(folder / "start-ramp.csv"), *few
+
 
 #: Commands that write, list or show, and have no verdict; of the last two see other tests.
 SILENT = {
-    "laggings", "belts", "lagging", "rig", "profile", "virtual-record", "serve", "page", "demo",
+    "laggings", "belts", "lagging", "rig", "profile", "import", "virtual-record", "serve", "page",
+    "demo",
 }  # fmt: skip
 
 
@@ -142,6 +151,13 @@ def test_first_screens_are_short(tmp_path: Path, monkeypatch: pytest.MonkeyPatch
                 wrong.append(f"{where}: no sentence: {text}")
     assert wrong == []
     assert seen | SILENT == set(COMMANDS)
+
+
+def test_a_lagging_says_in_a_line_what_it_is() -> None:
+    for name in lagging_names():
+        block = wraparc("lagging", name).out.split("\n\n")[1].splitlines()
+        assert [row.split()[0] for row in block] == [name, "Data"]
+        assert all(count(row) <= 16 for row in block), block  # its name and 15 words
 
 
 def test_words_are_counted_as_a_reader_counts_them() -> None:

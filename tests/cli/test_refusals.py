@@ -84,7 +84,7 @@ def test_a_long_sentence_or_one_out_of_order_is_found() -> None:
 @pytest.mark.parametrize(
     ("command", "suffix"),
     [(name, "toml") for name in ("solve", "study", "choose", "fit", "calibrate", "run", "check")]
-    + [("read", "csv"), ("profile", "csv")],
+    + [("read", "csv"), ("profile", "csv"), ("import", "csv")],
 )
 def test_what_is_no_readable_file_is_told_of_the_file(
     command: str, suffix: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch

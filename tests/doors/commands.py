@@ -14,6 +14,7 @@ from cli.running import Ran, wraparc
 from doors.record import Case, Record, told_of
 from doors.verdicts import beside, number, of_json, of_report, of_screen
 from wraparc.arc.sliding import SLIDES
+from wraparc.checks import Level
 from wraparc.train import Train
 
 Data = dict[str, Any]
@@ -115,7 +116,9 @@ def trim(case: Case, folder: Path) -> Record | None:
     if ran.code == 2:
         return Record(refusal=(ran.err,), code=2)
     data = ran.json
-    verdict = beside(data["verdict"], case.verdict)
+    first = data["verdict"]
+    worse = first["name"] == "trim" and Level(first["level"]).rank > case.verdict.level.rank
+    verdict = beside(first, case.verdict, level=not worse)  # how the load is shared may be worse
     if "load_case" not in data:
         return Record(verdict=verdict, code=ran.code)
     of = data["load_case"]

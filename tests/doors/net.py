@@ -6,9 +6,7 @@ import time
 import traceback
 from collections import Counter, defaultdict
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
 from dataclasses import dataclass, field
-from functools import lru_cache
 from pathlib import Path
 
 import tomli_w
@@ -16,8 +14,6 @@ import tomli_w
 from doors import columns, commands, page, web
 from doors.draw import document
 from doors.record import Case, Record, differences
-from wraparc.arc import Distributed
-from wraparc.train import solve as train_solve
 
 #: What answers many drives at once, each with what it says or nothing where it is not for them.
 Door = Callable[[Sequence[Case], Path], list[Record | None]]
@@ -119,20 +115,6 @@ def cast(
             for difference in differences(case.record, record) if record else ():
                 net.found.setdefault(case.number, []).append(f"{name}: {difference}")
     return net
-
-
-@contextmanager
-def solved_once() -> Iterator[None]:
-    """Keep what is solved: doors differ by what they make of it."""
-    solve, locate = Distributed.solve, vars(train_solve)["locate"]
-    located = lru_cache(1000)(locate)
-    Distributed.solve = lru_cache(4000)(solve)  # type: ignore[method-assign]
-    setattr(train_solve, "locate", lambda s, names, soft: located(s, tuple(names), soft))  # noqa: B010
-    try:
-        yield
-    finally:
-        Distributed.solve = solve  # type: ignore[method-assign]
-        setattr(train_solve, "locate", locate)  # noqa: B010
 
 
 def differences_told(net: Net) -> Iterator[str]:

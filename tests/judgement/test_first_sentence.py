@@ -23,6 +23,7 @@ from wraparc.train import TrainResult
 pytestmark = pytest.mark.usefixtures("solved_once")
 
 MOST, MOST_OF_ACTION = 15, 20
+STEEL_CORD = Path(__file__).parents[2] / "examples" / "steel-cord-drive.toml"
 #: A number with its unit, as texts hold it.
 CELL = re.compile("\x02[^\x03]*\x03|\x04[^\x06]*\x06")
 
@@ -52,6 +53,8 @@ def check_lengths(result: DriveResult | TrainResult) -> None:
         every += [verdict.within(case), *(verdict.at(pulley, case) for pulley in pulleys)]
     for of in every:
         assert 2 <= word_count(of.text) <= MOST, of.text
+    said = [verdict.text, *(check.text for check in verdict.also)]
+    assert len(set(said)) == len(said), said
     for check in verdict.missed:
         assert word_count(check.text) <= MOST, check.text
         assert word_count(check.action_text) <= MOST_OF_ACTION, check.action_text
@@ -70,6 +73,14 @@ def test_of_drives_that_fail_in_one_way(row: Row, tmp_path: Path) -> None:
         told = json.loads(answer)["answer"]["verdict"]
         for said in (told["text"], *(also["text"] for also in told["also"])):
             assert word_count(with_slots(said)) <= MOST, said
+
+
+def test_two_checks_missed_by_as_much_are_both_said() -> None:
+    """The tension allowed in a start is 1.4 times the rating, and so is the safety factor."""
+    overrides = ["pulley.head.power=600 kW", "load_case.start.pulley.head.power=2600 kW"]
+    verdict = judge(solve(load_drive(STEEL_CORD, overrides=overrides), raise_on_failure=False))
+    assert verdict.text.startswith("Belt tension")
+    assert verdict.also[0].text.startswith("Belt safety factor")
 
 
 @pytest.mark.parametrize("start", range(0, 300, 60))

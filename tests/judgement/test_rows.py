@@ -30,7 +30,7 @@ def solved(path: Path) -> DriveResult:
 
 def lead(words: str) -> str:
     """Return the first lines of an answer, up to what it says of a wet drive and of its data."""
-    return re.split(r" Wet (?!creep)| Data ", words)[0]
+    return re.split(r" Wet (?!creep)| Reserve | Data ", words)[0]
 
 
 @pytest.fixture(scope="module")

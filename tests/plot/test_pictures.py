@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 import pytest
+from matplotlib.colors import to_hex
+from matplotlib.patches import Rectangle
 
 from answer.drives import STICKY, drive, marched, solved, sticking
 from wraparc import (
@@ -20,10 +22,14 @@ from wraparc import (
     solve,
     solve_train,
 )
+from wraparc.checks import Level
 from wraparc.plot import Picture, plot, plot_arc, plot_drive, plot_lagging
+from wraparc.plot.picture import BEYOND, RAMP, ramp
 from wraparc.plot.profiles import most_friction, outside_spans
 from wraparc.plot.pulley import _TURN, _places
+from wraparc.plot.reserve import Bars, plot_reserve
 from wraparc.plot.train import plot_train
+from wraparc.reserve import Flip, Input, Uncertainty
 from wraparc.train.file import load_train
 from wraparc.units import System, unit_factor
 
@@ -324,3 +330,33 @@ def test_all_that_is_drawn_is_on_the_picture() -> None:
     assert width(0.3) == pytest.approx(4.0 * 72.0)
     # 5 more digits and a label stand left of the axis, 0.55 in or more
     assert 4.35 * 72.0 < width(0.02) < 5.0 * 72.0
+
+
+def test_the_bars_of_a_reserve_end_where_the_verdict_changes() -> None:
+    """Expected: changes and uncertainties of two made-up inputs, in per cent."""
+    own = Uncertainty(0.3, lower=0.1)
+    pull = (
+        Flip(Input("effective_tension"), 0.2, Level.FAILS, "start", own),
+        Flip(Input("effective_tension"), -0.45, Level.OK, "start", own),
+    )
+    wrap = (Flip(Input("wrap_angle"), -0.25, Level.FAILS, "start", Uncertainty(0.02)),)
+    picture = plot_reserve([Bars("Te", pull), Bars("wrap", wrap)])
+    (ax,) = picture.figure.axes
+    bars = [(bar.get_x(), bar.get_width()) for bar in ax.patches if isinstance(bar, Rectangle)]
+    expected = [(-10.0, 40.0), (0.0, 20.0), (0.0, -45.0), (-2.0, 4.0), (0.0, -25.0)]
+    assert np.array(bars) == pytest.approx(np.array(expected))
+    assert [label.get_text() for label in ax.get_yticklabels()] == ["Te", "wrap"]
+    assert ax.get_legend() is not None
+    assert ax.get_xlim() == pytest.approx((-50.0, 100.0))
+    assert b"FAILS at its end" in picture.to_bytes("svg")
+
+
+def test_one_ramp_of_quantities_on_the_page_and_in_pictures() -> None:
+    # expected: the colours that the light page names
+    style = (EXAMPLES.parent / "src/wraparc/web/static/style/frame.css").read_text("utf-8")
+    light = style.partition("@media")[0]
+    named = tuple(re.findall(r"--q\d: (#\w+);", light))
+    assert named == RAMP
+    assert re.findall(r"--warn-fill: (#\w+);", light) == [BEYOND]
+    ends = [to_hex(ramp()(part)) for part in (0.0, 1.0, 1.1)]
+    assert ends == [RAMP[0], RAMP[-1], BEYOND]

@@ -3,20 +3,28 @@
 import json
 import xml.etree.ElementTree as ET
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import pytest
 import typst
 
 from answer.drives import drive, marched, solved, sticking
-from wraparc import solve
+from wraparc import load_drive, solve
 from wraparc.render import NoteHead, pdf
-from wraparc.render.drawings import Drawing, budget_drawing, profile_drawing, pulley_drawing
+from wraparc.render.drawings import (
+    Drawing,
+    budget_drawing,
+    profile_drawing,
+    pulley_drawing,
+    reserve_drawing,
+)
 from wraparc.render.note import make_note
 from wraparc.units import System
 
 pytestmark = pytest.mark.usefixtures("solved_once")
 
+EXAMPLES = Path(__file__).parents[2] / "examples"
 SVG = "{http://www.w3.org/2000/svg}"
 
 
@@ -38,6 +46,20 @@ def test_words_of_pictures_can_be_read_and_searched(system: System) -> None:
     assert {"Creep by source", "distributed", "paper's integration"} <= set(texts(budget))
     assert {"Belt tension", "Friction", "Creep and slip", "Lagging shear"} <= set(texts(profiles))
     assert all(len(d.alt) > 60 and d.caption.endswith(".") for d in (pulley, budget, profiles))
+
+
+def test_a_report_draws_the_reserve_of_its_verdict() -> None:
+    """Expected: the line of the first screen, and a bar for every input of the table."""
+    result = solve(load_drive(EXAMPLES / "head-drive-fabric.toml"))
+    own = reserve_drawing(result)
+    assert own is not None
+    told = own.shown("si")
+    for named in ("OK at Te -48 %", "FAILS at Te +20 %", "friction -49 %"):
+        assert named in told.alt
+    assert {"Te", "friction", "T2", "wrap"} <= set(texts(told))
+    note = make_note([result], NoteHead())
+    (checks,) = (s for s in note.sections if s.title == "Checks against limits")
+    assert [drawing.caption for drawing in checks.drawings] == [own.caption]
 
 
 def test_what_is_told_holds_the_numbers_of_the_result() -> None:
@@ -89,7 +111,8 @@ def test_each_pulley_has_its_own_picture(monkeypatch: pytest.MonkeyPatch) -> Non
     monkeypatch.setattr(typst, "compile", compiled)
     pdf([result])
     sections = json.loads(given["data.json"])["sections"]
-    shown: list[dict[str, Any]] = [d for s in sections for d in s["drawings"]][:2]
+    shown: list[dict[str, Any]] = [d for s in sections for d in s["drawings"]]
+    shown = [d for d in shown if d["alt"].startswith("Pulley")]
     for name, tension, drawing in zip(names, ("150 kN", "90 kN"), shown, strict=True):
         assert drawing["alt"].startswith(f"Pulley {name}, driving")
         assert f"T1 = {tension}".encode() in given[drawing["file"]]
@@ -105,4 +128,4 @@ def test_hostile_names_stay_text() -> None:
 
 def test_a_note_draws_nothing_until_it_is_set_in_type() -> None:
     note = make_note([solved()], NoteHead())
-    assert len(note.drawings) == 3
+    assert len(note.drawings) == 4  # the reserve first

@@ -9,6 +9,8 @@ import pytest
 from cli.running import wraparc
 from render.test_note_files import sheets
 
+pytestmark = pytest.mark.usefixtures("solved_once")
+
 #: All but two trains, whose tables are those of the third.
 EXAMPLES = [
     path

@@ -1,5 +1,6 @@
 """The note as PDF: kept for long, readable aloud, safe against what users type."""
 
+import json
 import re
 import subprocess
 import sys
@@ -60,7 +61,7 @@ def test_it_says_that_it_is_pdf_a_and_accessible(note: bytes) -> None:
 
 def test_every_picture_and_equation_is_told_in_words(note: bytes) -> None:
     figures, formulas = structure(note, "Figure"), structure(note, "Formula")
-    assert len(figures) == 3
+    assert len(figures) == 4  # the reserve, pulley, budget, profiles
     typeset = equations(solved().arcs, paper=True, train=False, design=True)
     assert len(formulas) == len(typeset) >= 9
     assert all(b"/Alt" in element for element in (*figures, *formulas))
@@ -125,11 +126,52 @@ def test_a_text_that_cannot_be_printed_is_refused(field: str, value: str) -> Non
     assert caught.value.problems[0].key == field
 
 
-def test_letters_that_no_font_has_are_told(monkeypatch: pytest.MonkeyPatch) -> None:
+#: "Head drive" in scripts that the typesetter's own fonts lack or have, and one of no font at all.
+SCRIPTS = {
+    "Chinese": "头部驱动", "Japanese": "ヘッド駆動", "Korean": "헤드 드라이브", "Thai": "หัวขับ",
+    "Arabic": "محرك الرأس", "Hebrew": "הנעת ראש", "Devanagari": "हेड ड्राइव", "none": f"drive {RARE}",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("script", SCRIPTS)
+def test_there_is_a_pdf_in_every_script_with_and_without_its_font(
+    monkeypatch: pytest.MonkeyPatch, script: str
+) -> None:
+    text = SCRIPTS[script]
+    named, base = text, drive()
+    tensions = {named: next(iter(base.load_cases[0].tensions.values()))}
+    of_script = replace(
+        base, pulleys=(replace(base.pulleys[0], name=named),),
+        load_cases=(replace(base.load_cases[0], name=named, tensions=tensions),),
+    )  # fmt: skip
+    results = [solve(of_script)]
+    for alone in (False, True):
+        if alone:
+            without_system_fonts(monkeypatch)
+        data = pdf(results, NoteHead(title=text, author=text, date="2026-11-21"))
+        assert data.startswith(b"%PDF")
+        assert text in metadata(data)  # as it was typed, without codes
+
+
+def test_letters_that_no_font_has_are_boxes_and_a_line(monkeypatch: pytest.MonkeyPatch) -> None:
+    # what the typesetter is handed last; it refuses a page with a letter that it cannot show
     without_system_fonts(monkeypatch)
-    with pytest.raises(InputError, match="no accessible PDF is possible") as caught:
-        pdf(BOTH, NoteHead(title=f"drive {RARE}"))
-    assert "choose .md" in str(caught.value)
+    given: list[Any] = []
+    compile_files = typst.compile
+
+    def seen(parts: Any, **settings: Any) -> Any:
+        given.append(json.loads(parts["data.json"]))
+        return compile_files(parts, **settings)
+
+    monkeypatch.setattr(typst, "compile", seen)
+    pdf(BOTH, NoteHead(title="Ä δ 头部 หัว", date="2026-11-21"))
+    assert given[0]["letters"] == ""
+    codes = "".join(f"\ue000{ord(c):04X}\ue001" for c in "头部")
+    marks = "".join(f"\ue000{ord(c):04X}\ue001" for c in "หัว")
+    assert given[-1]["title"] == f"Ä δ {codes} {marks}"
+    assert given[-1]["letters"].startswith("No installed font has these letters, shown as boxes")
+    assert "U+0E27, U+0E2B, U+0E31, U+5934, U+90E8." in given[-1]["letters"]
+    assert given[-1]["file"]["title"] == "Ä δ 头部 หัว"
 
 
 def test_a_breakaway_is_reported_as_such() -> None:
@@ -148,7 +190,7 @@ def test_several_pulleys_have_a_picture_each() -> None:
     data = pdf(results, HEAD, train=whole)
     names = [pulley.name for pulley in results[0].drive.pulleys]
     figures = structure(data, "Figure")
-    assert len(figures) == len(names) + 2
+    assert len(figures) == len(names) + 3  # the reserve, budget, profiles
     for pulley in names:
         told = f"Pulley {pulley}, ".encode()
         assert sum(told in element for element in figures) == 1

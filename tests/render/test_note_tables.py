@@ -28,7 +28,11 @@ def answer_and_note(name: str) -> tuple[Sheet, Note]:
     file, *conditions = name.split()
     read = load_drive_or_train(EXAMPLES / f"{file}.toml", conditions=conditions)
     results, train = solved(read, "both", None, None, "")
-    sheet = drive_sheet(results) if train is None else train_sheet(train, None, results)
+    sheet = (
+        drive_sheet(results, reserve="all", probability=True)
+        if train is None
+        else train_sheet(train, None, results, reserve="all", probability=True)
+    )
     return sheet, compose_note(results, NoteHead(), train)
 
 

@@ -3,6 +3,7 @@
 import csv
 import errno
 import json
+import math
 from pathlib import Path
 
 import pyarrow.parquet
@@ -10,11 +11,13 @@ import pytest
 
 from cli.running import wraparc
 from wraparc import InputError, load_motion, simulate
+from wraparc.answer.event_study_sheet import event_study_sheet
 from wraparc.checks import Level, judge_run
 from wraparc.saving import alone, to_disk, unwritable
 from wraparc.study import event_rows
 from wraparc.study.event_rows import run_event_study
-from wraparc.study.event_study import event_study_from_document, load_event_study
+from wraparc.study.event_study import EventRow, event_study_from_document, load_event_study
+from wraparc.units.cell import in_units
 
 DRIVE = Path(__file__).parents[2] / "examples" / "tandem-fabric.toml"
 SHORT = "motion.event.start.duration=1 s"
@@ -56,6 +59,11 @@ def test_a_row_is_the_run_of_its_design_and_a_refused_one_says_why(tmp_path: Pat
     assert rows[1]["worst check"] == str(judge_run(run).level)
     assert rows[1]["verdict"] == judge_run(run).label
     assert float(rows[1]["oscillates at [Hz]"]) == 0.0
+    worst = judge_run(run).governing
+    assert worst is not None
+    used = float(rows[1]["limit used [-]"] or math.nan)
+    assert used == pytest.approx(worst.used, rel=1e-6, nan_ok=True)
+    assert rows[1]["governing check"] == in_units(judge_run(run).closest)
     # the other doors tell the same
     assert judge_run(run).level is Level.ATTENTION
     assert "ATTENTION 1 needs attention, 1 refused of 2 designs." in " ".join(done.out.split())
@@ -173,6 +181,17 @@ def test_the_shipped_study_counts_its_values_evenly() -> None:
     shipped = load_event_study(DRIVE.parent / "studies" / "start-ramp.toml")
     assert shipped.values == (("10 s", "20 s", "30 s"), ("1 %", "3 %"))
     assert shipped.designs[1] == ("10 s", "3 %")
+
+
+def test_designs_that_all_pass_say_which_is_closest_to_a_limit() -> None:
+    rows = [
+        EventRow((text,), used=used, closest=f"peak creep {text} of 6.35 mm (head)", level="OK")
+        for text, used in (("3.00", 0.47), ("6.00", 0.94), ("4.00", math.nan))
+    ]
+    made = event_study_from_document(study())
+    verdict = event_study_sheet(made, rows).verdict
+    assert verdict is not None
+    assert verdict.text == "All 3 designs pass. Closest: peak creep 6.00 of 6.35 mm (head)."
 
 
 def test_options_of_other_studies_are_refused(tmp_path: Path) -> None:

@@ -32,6 +32,8 @@ from wraparc.study.sensitivity import (
 )
 from wraparc.study.share import wilson
 
+pytestmark = pytest.mark.usefixtures("solved_once")
+
 
 @pytest.mark.parametrize(
     ("count", "total", "interval"),

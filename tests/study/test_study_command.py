@@ -1,5 +1,6 @@
 """`wraparc study`: shipped examples, outputs, and input that cannot be used."""
 
+import re
 from pathlib import Path
 
 import pyarrow.parquet as pq
@@ -23,7 +24,7 @@ def test_the_grid(tmp_path: Path) -> None:
     assert "diamond-rubber, 30 kN, 180 deg ATTENTION: the creep limit" in ran.words
     assert "57 more designs are in the file" in ran.words
     assert pq.read_metadata(tmp_path / "a.parquet").num_rows == 117
-    assert "full-ceramic, friction: illustrative" in ran.words
+    assert "Data Friction, block, E_c illustrative; G estimated." in ran.words
 
 
 def test_the_hypercube_with_all_outputs(tmp_path: Path) -> None:
@@ -85,6 +86,7 @@ def test_a_dry_run_only_tells_the_size(tmp_path: Path) -> None:
     )  # fmt: skip
     assert ran.code == 0, ran.err
     assert "5,000,000 designs in 4 cases: 20,000,000 rows" in ran.words
+    assert re.search(r" About [\d,.]+ minutes on [1-9]\d* processors?\.$", ran.words.strip())
     assert list(tmp_path.iterdir()) == []
 
 

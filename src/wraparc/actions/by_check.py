@@ -18,6 +18,8 @@ from wraparc.drive import Belt
 from wraparc.units import Cell
 
 GRIP = (RAISE, WRAP, LAGGING)
+#: Digits of what is to be tested: fewer than the missed value beside it has.
+_TEST_DIGITS = 2
 #: Changes by name of the check, in the order in which they are tried.
 KINDS: dict[str, tuple[str, ...]] = {
     "gross_slip": GRIP, "operating_point": (RAISE,), "design_standard": (RAISE,),
@@ -41,17 +43,17 @@ def kinds_of(check: Check) -> tuple[str, ...]:
 def first_phrase(check: Check) -> Phrase | None:
     """Return what is to be given before anything is changed: what is missing decides a check."""
     if check.name == "cover_creep":
-        return Phrase("give", "the test belt cover ([test_belt])")
+        return Phrase("state", "the cover of the tested belt ([test_belt])")
     return None
 
 
 def last_phrase(check: Check, lagging: str, belt: Belt) -> Phrase | None:
     """Return what is to be tested or given where changes are not enough; None where nothing is."""
-    value = Cell(check.value, check.dimension, form="up")
-    least = Cell(check.value, check.dimension, form="down")
+    value = Cell(check.value, check.dimension, _TEST_DIGITS, "up")
+    least = Cell(check.value, check.dimension, _TEST_DIGITS, "down")
     if check.name == "momentary_tension" and belt.momentary_factor is None:
         factor = Cell(check.value / check.limit, "number", form="up")
-        return Phrase("give", f"momentary_factor {factor} if the maker allows it")
+        return Phrase("give", f"momentary_factor {factor} if its maker allows it")
     if check.name == "creep_interval":
         return Phrase("try", "testing more samples")
     rests = {

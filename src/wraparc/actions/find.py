@@ -10,7 +10,7 @@ from wraparc import catalogue
 from wraparc.actions.by_check import GRIP, first_phrase, kinds_of, last_phrase
 from wraparc.actions.document import Source, source_of
 from wraparc.actions.rows import RowEvaluator
-from wraparc.actions.score import DATA_CHECKS, count_left
+from wraparc.actions.score import DATA_CHECKS, names_left
 from wraparc.actions.search import Evaluate, find_ways
 from wraparc.actions.single import FilteredEvaluator, SingleEvaluator, outcome_of
 from wraparc.actions.texts import Names, none_text, phrase_of, sentence_of
@@ -21,6 +21,7 @@ from wraparc.checks.check import Check, Level
 from wraparc.checks.judge import judge
 from wraparc.checks.least_tension import least_tension
 from wraparc.checks.of_drive import allowed_tension
+from wraparc.checks.of_wet import WET_CREEP
 from wraparc.checks.usual import USUAL_RULE
 from wraparc.checks.verdict import Verdict
 from wraparc.drive import Drive
@@ -61,22 +62,25 @@ def _find(result: Whole) -> Action | None:
         return None
     if worst.level is Level.FAULT or worst.name in DATA_CHECKS or not kinds_of(worst):
         return own_action(worst)
+    doubtful = verdict.kind_in_doubt or _implausible(verdict)
+    if doubtful is not None:
+        return own_action(doubtful)
     if worst.name == "operating_point" and worst.action:  # a motor: no tension, wrap or lagging
         return own_action(worst)
-    implausible = _implausible(verdict)
-    if implausible is not None:
-        return own_action(implausible)
     source = source_of(result, _pulleys(verdict, result), _take_up(result))
     if source is None:
         return own_action(worst)
     task = _task(result, verdict, source)
     evaluate = _evaluation(result, source, task)
     found = find_ways(task, evaluate, SingleEvaluator(source).confirmed)
-    names = Names(_slack(result), _some_pulleys(source))
+    names = Names(_slack(result), _some_pulleys(source), _called(verdict))
     phrases = [phrase_of(way, task, names) for way in found.ways]
     ways = tuple(
         Way(
-            source.changes(way.variant), True, count_left(way.outcome.levels), sentence_of([phrase])
+            source.changes(way.variant),
+            True,
+            len(names_left(way.outcome.levels)),
+            sentence_of([phrase]),
         )
         for way, phrase in zip(found.ways, phrases, strict=True)
     )
@@ -93,6 +97,11 @@ def _find(result: Whole) -> Action | None:
         return own_action(worst)
     percent = percent_too_large(task, evaluate, worst.name, found.tried)
     return Action(none_text(percent, task))
+
+
+def _called(verdict: Verdict) -> dict[str, str]:
+    """Return how the checks of a verdict are called, by name."""
+    return {check.name: check.noun for check in verdict.listed} | {WET_CREEP.name: "wet creep"}
 
 
 def _implausible(verdict: Verdict) -> Check | None:
@@ -190,7 +199,7 @@ def _slack(result: Whole) -> str:
     if not place:
         case = drive.load_case()
         driving = drive.slack_end(case) == case.tensions[drive.pulleys[-1].name].exit
-        return "T2" if driving else "slack-side tension T1"
+        return "T2" if driving else "T1 (slack-side tension)"
     take_up = drive.criteria.take_up
     if take_up.after:
         return f"the take-up tension behind {take_up.after}"
@@ -219,4 +228,5 @@ def _some_pulleys(source: Source) -> tuple[str, ...]:
 def _lagging(check: Check, result: Whole) -> str:
     drive = by_pulley(result).drive
     names = {pulley.name: pulley.lagging.name for pulley in drive.pulleys}
-    return names.get(check.place.pulley, "the lagging")
+    name = names.get(check.place.pulley, "")
+    return f"lagging {name}" if name else "the lagging"

@@ -30,9 +30,9 @@ class Score(NamedTuple):
         return 100 * self.left + self.level
 
 
-def count_left(levels: Mapping[str, int]) -> int:
-    """Return how many checks are missed that a change of the drive may answer."""
-    return sum(name not in DATA_CHECKS for name in levels)
+def names_left(levels: Mapping[str, int]) -> list[str]:
+    """Return the checks that are missed and that a change of the drive may answer."""
+    return [name for name in levels if name not in DATA_CHECKS]
 
 
 def score_of(outcome: Outcome) -> Score:
@@ -40,7 +40,7 @@ def score_of(outcome: Outcome) -> Score:
 
     What is not checked because of gross slip, or of a creep that is too large dry, counts too.
     """
-    names = [name for name in outcome.levels if name not in DATA_CHECKS]
+    names = names_left(outcome.levels)
     ranks = [outcome.levels[name] for name in names]
     slips = "operating_point" in names or outcome.levels.get("gross_slip", 0) >= FAILS
     count = len(names)
@@ -59,3 +59,12 @@ def is_allowed(outcome: Outcome, now: Outcome) -> bool:
         if name in now.passed or rank > now.levels.get(name, inf):
             return False
     return True
+
+
+def answers_first(outcome: Outcome, now: Outcome) -> bool:
+    """Return whether the governing check, the first of those missed now, passes or fails less.
+
+    Who reads of a creep is not advised what mends another check and leaves the creep as it is.
+    """
+    first = next(iter(now.levels), "")
+    return outcome.levels.get(first, -1) < now.levels.get(first, 0)

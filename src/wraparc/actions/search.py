@@ -1,7 +1,7 @@
 """The search for what makes a verdict OK: a pure function over a judgement of variants.
 
-One change alone first, then pairs, then three. It knows no solver and no NumPy: `evaluate` judges
-many variants at once, by rows or one by one.
+One change alone first, then pairs, then three; of as many the first that is no large one. It knows
+no solver and no NumPy: `evaluate` judges many variants at once, by rows or one by one.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from collections.abc import Callable, Sequence
 from math import inf, log
 from typing import NamedTuple
 
-from wraparc.actions.score import Score, is_allowed, score_of
+from wraparc.actions.score import Score, answers_first, is_allowed, score_of
 from wraparc.actions.variant import (
     DIAMETER,
     LAGGING,
@@ -40,6 +40,8 @@ MOST_CHANGES = 3
 MOST_COMPLETED = 16
 #: What the size of a change counts against one check that is left: less than any.
 _SIZE = 1e-3
+#: What changes by more in all, as by a factor of two, is offered where nothing changes less.
+_LARGE = log(2.0)
 #: Parts of the step to the first tension that is not allowed, in which the last is looked for.
 EDGE_POINTS = 12
 #: Checks whose miss tells what belt, pulley or idlers would do.
@@ -81,7 +83,7 @@ class Found(NamedTuple):
 def find_ways(
     task: Task, evaluate: Evaluate, confirm: Callable[[Variant], Outcome], most: int = 2
 ) -> Found:
-    """Return the changes that make a verdict OK, or those that leave fewest checks missed.
+    """Return the changes that make a verdict OK, or else the one that leaves fewest checks missed.
 
     Parameters
     ----------
@@ -90,7 +92,8 @@ def find_ways(
     evaluate
         Judges variants.
     confirm
-        Judges one as it is told: what it does not confirm is not offered.
+        Judges one as it is told: what it does not confirm is not offered. What leaves checks
+        missed is offered where it answers the governing one.
     most
         Number of ways at most.
     """
@@ -98,6 +101,7 @@ def find_ways(
     before, tried = score_of(task.now), list[Candidate]()
     for size in range(1, MOST_CHANGES + 1):
         ways: list[Candidate] = []
+        enough = most if size == 1 else 1
         together = _combinations(task, size)
         if size == MOST_CHANGES:
             search.coarsen()
@@ -110,11 +114,13 @@ def find_ways(
             sure = search.confirmed(found, kinds) if found.score.left == 0 else None
             if sure is not None and sure.score.left == 0:
                 ways.append(sure)
-            if len(ways) == (most if size == 1 else 1):
+            if sum(not _is_large(way, task) for way in ways) == enough:
                 break
         if ways:
-            return Found(tuple(ways), tuple(tried))
-    for found in sorted(tried, key=lambda one: one.score.weight):
+            ways.sort(key=lambda way: _is_large(way, task))
+            return Found(tuple(ways[:enough]), tuple(tried))
+    partial = [one for one in tried if answers_first(one.outcome, task.now)]
+    for found in sorted(partial, key=lambda one: one.score.weight):
         sure = search.confirmed(found, found.kinds) if found.score.weight < before.weight else None
         if sure is not None and sure.score.weight < before.weight:
             return Found((sure,), tuple(tried))
@@ -218,7 +224,7 @@ class _Search:
         """Return a variant at the tension that its checks state, if that is to be gone to."""
         outcome = self.outcomes([base])[0]
         stated = outcome.least if up else outcome.most
-        if not 0.0 < stated < inf or (stated > self.task.tension) != up:
+        if not 0.0 < stated <= self.task.highest or (stated > self.task.tension) != up:
             return []
         return [base._replace(tension=rounded_up(stated) if up else rounded_down(stated))]
 
@@ -326,6 +332,11 @@ class _Search:
                     break
             near, far = (places[-1] if passing == far else passing - step), passing
         return of
+
+
+def _is_large(way: Candidate, task: Task) -> bool:
+    """Return whether a way changes sizes by more than a factor of two in all."""
+    return size_of(way.variant, task) > _LARGE
 
 
 def _at(variant: Variant, value: float, wrap: bool) -> Variant:

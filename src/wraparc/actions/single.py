@@ -122,7 +122,7 @@ def with_pull(described: Described, factor: float) -> Described:
             rise -= case.exit_tension
             ends = (slack + factor * max(rise, 0.0), slack + factor * max(-rise, 0.0))
             cases.append(replace(case, entry_tension=ends[0], exit_tension=ends[1]))
-        return replace(described, cases=tuple(cases))
+        return replace(described, cases=tuple(cases), conveyor=None)
     return with_drive_pull(described, factor)
 
 

@@ -2,18 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from math import radians
+from collections.abc import Mapping, Sequence
+from math import ceil, radians
 from typing import NamedTuple
 
-from wraparc.actions.score import count_left
+from wraparc.actions.score import names_left
 from wraparc.actions.search import MOST_WRAP, Candidate
 from wraparc.actions.variant import WRAP, Task, Variant
-from wraparc.units import Cell, quantity
+from wraparc.units import Cell, Dimension, in_units, quantity
 from wraparc.units.cell import Form
 
 #: Words that the sentence of an action has at most; a number with its unit is one.
 MOST_WORDS = 20
+#: Letters of a way that a button has room for.
+_MOST_LETTERS = 92
+#: Checks that are left by name at most.
+_MOST_NAMED = 2
 
 
 class Phrase(NamedTuple):
@@ -32,10 +36,13 @@ class Names(NamedTuple):
         The tension that is raised or lowered: ``T2``.
     pulleys
         Those whose lagging or diameter is changed; empty where all are.
+    checks
+        How each check is called, by its name.
     """
 
     slack: str
     pulleys: tuple[str, ...]
+    checks: Mapping[str, str] = {}
 
 
 def sentence_of(phrases: Sequence[Phrase]) -> str:
@@ -50,18 +57,38 @@ def sentence_of(phrases: Sequence[Phrase]) -> str:
 
 
 def phrase_of(found: Candidate, task: Task, names: Names) -> Phrase:
-    """Return a way in words, with how many checks it leaves."""
-    left = count_left(found.outcome.levels)
-    more = f" ({left} check{'' if left == 1 else 's'} left)" if left else ""
-    verb, rest = _alone(found, task, names) or ("use", _together(found.variant, names))
-    return Phrase(verb, f"{rest}{more}")
+    """Return a way in words, with what it changes from and which checks it leaves.
+
+    What there is no room for is left out: first what it changes from, then which checks.
+    """
+    left = _left(found, names)
+    alone = sum(bool(value) for value in found.variant) == 1
+    told = [_alone(found, task, names)] if alone else _together(found.variant, task, names)
+    phrases = [Phrase(verb, f"{rest}{end}") for end in left for verb, rest in told]
+    return next(filter(_has_room, phrases), phrases[-1])
 
 
-def _alone(found: Candidate, task: Task, names: Names) -> Phrase | None:
-    """Return the words of a single change; None of several."""
+def _has_room(phrase: Phrase) -> bool:
+    text = " ".join(phrase)
+    return len(text.split()) <= MOST_WORDS and len(in_units(text)) <= _MOST_LETTERS
+
+
+def _left(found: Candidate, names: Names) -> tuple[str, ...]:
+    """Return which checks a way leaves, and how many: the longer text first."""
+    left = names_left(found.outcome.levels)
+    if not left:
+        return ("",)
+    one = len(left) == 1
+    count = f" ({len(left)} check{' still fails' if one else 's still fail'})"
+    if len(left) > _MOST_NAMED or not all(name in names.checks for name in left):
+        return (count,)
+    called = dict.fromkeys(names.checks[name] for name in left)
+    return f" ({listed([*called])} still fail{'s' if len(called) == 1 else ''})", count
+
+
+def _alone(found: Candidate, task: Task, names: Names) -> Phrase:
+    """Return the words of a single change."""
     of = found.variant
-    if sum(bool(value) for value in of) > 1:
-        return None
     if of.tension:
         up = of.tension > task.tension
         form: Form = "to up" if up else "to down"
@@ -72,46 +99,66 @@ def _alone(found: Candidate, task: Task, names: Names) -> Phrase | None:
         return Phrase("increase", f"wrap from {ends}")
     if of.lagging:
         creep = quantity(found.outcome.creep, "length")
-        return Phrase("use", f"{_lagging(of, names)}: creep {creep}")
+        of_creep = next(iter(task.now.levels), "") in ("creep", "wet_creep", "uneven_creep")
+        return Phrase("use", f"{_lagging(of, names)}{f': creep {creep}' if of_creep else ''}")
     if of.rating:
-        return Phrase("use", f"{_belt(of)} (now {quantity(task.rating, 'force_per_width')})")
+        return Phrase("use", _changed(*_RATING, of.rating, task.rating))
     if of.diameter:
-        return Phrase("use", f"{_pulley(of, names)} (now {quantity(task.diameter, 'length')})")
-    return Phrase("use", _together(of, names))
+        changed = _changed(f"pulley {_DIAMETER[0]}", _DIAMETER[1], of.diameter, task.diameter)
+        return Phrase("use", f"{changed}{_on(names)}")
+    if of.strength:
+        return Phrase("use", _changed(*_STRENGTH, of.strength, task.strength))
+    return Phrase("use", _changed(*_SPACING, of.spacing, task.spacing, form="down"))
 
 
-def _together(of: Variant, names: Names) -> str:
-    """Return what is used of several changes."""
+#: What is changed, before its value, and what it measures.
+_DIAMETER: tuple[str, Dimension] = "diameter", "length"
+_WRAP: tuple[str, Dimension] = "wrap", "angle"
+_RATING: tuple[str, Dimension] = "a belt rated", "force_per_width"
+_STRENGTH: tuple[str, Dimension] = "a belt of strength", "force_per_width"
+_SPACING: tuple[str, Dimension] = "idler spacing", "length"
+
+
+def _together(of: Variant, task: Task, names: Names) -> list[Phrase]:
+    """Return what is used of several changes, then where the tension goes.
+
+    With what each changes from, and without.
+    """
+    return [Phrase("use", _all_changed(of, now, task.tension, names)) for now in (task, None)]
+
+
+def _all_changed(of: Variant, now: Task | None, tension: float, names: Names) -> str:
     parts = [
         f"lagging {of.lagging}" if of.lagging else "",
-        f"a pulley of {_up(of.diameter, 'length')}" if of.diameter else "",
-        f"wrap {_up(radians(of.wrap), 'angle')}" if of.wrap else "",
-        f"{names.slack} {_up(of.tension, 'force')}" if of.tension else "",
-        _belt(of) if of.rating else "",
-        f"a belt of strength {_up(of.strength, 'force_per_width')}" if of.strength else "",
-        f"idler spacing {Cell(of.spacing, 'length', form='down')}" if of.spacing else "",
+        _changed(*_DIAMETER, of.diameter, now.diameter if now else 0.0),
+        _changed(*_WRAP, radians(of.wrap), radians(now.wrap) if now else 0.0),
+        _changed(*_RATING, of.rating, now.rating if now else 0.0),
+        _changed(*_STRENGTH, of.strength, now.strength if now else 0.0),
+        _changed(*_SPACING, of.spacing, now.spacing if now else 0.0, form="down"),
     ]
     some = [part for part in parts if part]
     owned = bool(of.lagging) + bool(of.diameter)
     if owned:
         some[owned - 1] += _on(names)
-    return listed(some)
+    if not of.tension:
+        return listed(some)
+    up = of.tension > tension
+    form: Form = "to up" if up else "to down"
+    ends = f"from {Cell(of.tension, 'force', form=form, other=tension)}"
+    to = ends if now else f"to {Cell(of.tension, 'force', form='up' if up else 'down')}"
+    return f"{listed(some)}, and {'raise' if up else 'lower'} {names.slack} {to}"
 
 
-def _up(value: float, dimension: str) -> str:
-    return Cell(value, dimension, form="up")  # type: ignore[arg-type]
+def _changed(what: str, dimension: Dimension, value: float, now: float, form: Form = "up") -> str:
+    """Return what is used, and what it is now where that is to be told."""
+    if not value:
+        return ""
+    told = f" (now {Cell(now, dimension, form='typed')})" if now else ""
+    return f"{what} {Cell(value, dimension, form=form)}{told}"
 
 
 def _lagging(of: Variant, names: Names) -> str:
     return f"lagging {of.lagging}{_on(names)}"
-
-
-def _belt(of: Variant) -> str:
-    return f"a belt rated {_up(of.rating, 'force_per_width')}"
-
-
-def _pulley(of: Variant, names: Names) -> str:
-    return f"a pulley of {_up(of.diameter, 'length')}{_on(names)}"
 
 
 def _on(names: Names) -> str:
@@ -124,11 +171,15 @@ def listed(parts: Sequence[str], word: str = "and") -> str:
 
 
 def none_text(percent: int, task: Task) -> str:
-    """Return what is said where no change betters the verdict, Te so many percent too large."""
+    """Return what is said where no change betters the verdict, Te so many percent too large.
+
+    What is to be taken off is said in percent of Te as it is: of 25 % too much, 20 %.
+    """
     tried = ["T2"]
     if WRAP in task.kinds and task.wrap < MOST_WRAP:
         tried.append(f"wrap to {MOST_WRAP} deg")
     if task.laggings:
         tried.append("catalogue lagging")
     text = f"No {listed(tried, 'or')} passes"
-    return f"{text}: Te is {percent} % too large." if percent > 0 else f"{text}."
+    lower = ceil(100.0 - 100.0 / (1.0 + percent / 100.0))
+    return f"{text}: Te must be {lower} % lower." if percent > 0 else f"{text}."

@@ -31,8 +31,22 @@ _ERRORS = {
     "compression": "Compression of the lagging",
     "lagging_shear": "Shear of the lagging",
     "cover_shear": "Shear of the belt cover",
+    "torque_offset": "Torque at no load",
+    "take_up": "Friction of the take-up",
+    "modulus": "Belt modulus",
+    "slip_axis": "Slip axis of the law",
+    "speed_by_torque": "Speed by torque",
     "readings": "Readings",
 }
+
+
+def _error_title(name: str) -> str:
+    """Return what an error is of, and of which record."""
+    key, _, record = name.partition(".")
+    title = _ERRORS.get(key, name.replace("_", " "))
+    return f"{title} ({record})" if record else title
+
+
 #: Standard deviations beyond which an error is not what was stated of it [-].
 _UNLIKELY = 3.0
 _MOST_CORRELATED = 0.9
@@ -64,7 +78,7 @@ def calibrate_sheet(
             "estimates",
         ),
         _widths(found),
-        _deviations(found),
+        _deviations(found, problem),
         _correlations(found),
         _misfits(found, problem),
     ]
@@ -144,8 +158,8 @@ def _apart(found: Calibration, problem: Problemset) -> Iterator[str]:
     for d in found.deviations:
         if abs(math.log(d.factor)) > _UNLIKELY * d.stated:
             yield (
-                f"{_ERRORS[d.name]}: the best fit moves it by {percent(d.factor - 1.0, 2)}, where "
-                f"{percent(d.stated, 2)} is stated as its standard deviation. {_OTHER}"
+                f"{_error_title(d.name)}: the best fit moves it by {percent(d.factor - 1.0, 2)}, "
+                f"where {percent(d.stated, 2)} is stated as its standard deviation. {_OTHER}"
             )
     for t, miss in zip(problem.traces, found.misfit[count:], strict=True):
         most = float(np.abs(t.value).max())
@@ -202,19 +216,19 @@ def _widths(found: Calibration) -> Table:
     """Shares of the variance of every parameter by what it comes from."""
     told = [e for e in found.estimates if e.parts]
     parts = list(told[0].parts) if told else []
-    rows = [Row(_ERRORS[p], tuple(percent(e.parts[p], 2) for e in told)) for p in parts]
+    rows = [Row(_error_title(p), tuple(percent(e.parts[p], 2) for e in told)) for p in parts]
     heads = tuple(e.name.replace("_", " ") for e in told)
     return Table("What the intervals come from, shares of the variance", tuple(rows), heads)
 
 
-def _deviations(found: Calibration) -> Table:
+def _deviations(found: Calibration, problem: Problemset) -> Table:
     rows = [
         Row(
-            _ERRORS[d.name],
+            _error_title(d.name),
             (
                 "open"
                 if d.stated >= OPEN_ZERO and d.name == "speed_zero"
-                else percent(d.stated, 2),
+                else _stated(d.name, d.stated, problem),
                 percent(_unless_noise(d.factor - 1.0, d.stated), 2),
                 percent(d.left, 2),
             ),
@@ -228,6 +242,12 @@ def _deviations(found: Calibration) -> Table:
     )
     heads = ("stated", "estimated error", "left")
     return Table("Errors of what was measured with", tuple(rows), heads, note)
+
+
+def _stated(name: str, sd: float, problem: Problemset) -> str:
+    """Return a standard deviation, and that it is assumed where it is."""
+    is_assumed = name.partition(".")[0] in problem.assumed
+    return f"{percent(sd, 2)}, assumed" if is_assumed else percent(sd, 2)
 
 
 def _mixed_words(found: Calibration) -> Iterator[str]:
@@ -244,7 +264,7 @@ def _mixed_words(found: Calibration) -> Iterator[str]:
             "data as well once the other parameters are refitted."
         )
     for group in found.mixed:
-        words = [_ERRORS.get(n, n.replace("_", " ")).lower() for n in group]
+        words = [_error_title(n).lower() for n in group]
         if len(words) == 1:
             yield f"The data hardly depend on {words[0]}."
         elif words:

@@ -1,5 +1,6 @@
 """Sheets of what the catalogue holds: laggings and belts."""
 
+import math
 from collections.abc import Sequence
 
 import numpy as np
@@ -26,7 +27,17 @@ from wraparc.drive import CREEP_LIMIT, Fit, Lagging
 from wraparc.friction import CoefficientPieces, FrictionLaw, IntegralLog, PressureKnots
 from wraparc.glossary import GLOSSARY
 from wraparc.provenance import Kind
-from wraparc.units import Cell, System, display, display_unit, either, fixed, in_unit, unit_of
+from wraparc.units import (
+    Cell,
+    Dimension,
+    System,
+    display,
+    display_unit,
+    either,
+    fixed,
+    in_unit,
+    unit_of,
+)
 
 #: Wrap pressure that one friction tells a lagging by [Pa], 30 psi; the slip is the creep limit.
 _AT = 207e3
@@ -239,6 +250,13 @@ def _weight(mass: float | None, si: float, us: float) -> str:
     return either(f"{mass * si:.3g} kg/m2", f"{mass * us / (0.45359237 / 0.3048**2):.3g} lb/ft2")
 
 
+#: What a drive file takes besides the belts of the catalogue.
+STANDARD_NAMES = (
+    "Standard names are read too: EP 630/3, EP 1000/4 6+3 Y, NN 500/4, ST 2000, 330 PIW 3 ply "
+    '(wraparc belts "EP 630/3").'
+)
+
+
 def belts_sheet() -> Sheet:
     """List the belts of the catalogue."""
     of = Sources()
@@ -255,6 +273,7 @@ def belts_sheet() -> Sheet:
                 values = (
                     quantity(belt.rating, "force_per_width"),
                     quantity(belt.modulus, "force_per_width"),
+                    belt.modulus_test or "not stated",
                     NONE if least is None else quantity(least, "length"),
                     NONE if belt.carcass is None else quantity(belt.carcass, "length"),
                     _weight(belt.carcass_mass, 1.0, 1.0),
@@ -264,10 +283,56 @@ def belts_sheet() -> Sheet:
         heads = (
             "rating",
             "modulus M",
+            "its test",
             "minimum drive pulley",
             "carcass",
             "its mass",
             either("1 mm of cover", "1/32 in of cover"),
         )
         tables.append(Table(f"Belts, {kind}", tuple(rows), heads, "; ".join(notes)))
-    return Sheet("Belts of the catalogue", "", None, tuple(tables), (), of.listed())
+    return Sheet("Belts of the catalogue", "", None, tuple(tables), (STANDARD_NAMES,), of.listed())
+
+
+_ABSENT = "not available"
+
+
+def belt_sheet(belts: Sequence[catalogue.CatalogueBelt]) -> Sheet:
+    """Show belts one by one: every number with where it comes from, and what is not published."""
+    of = Sources()
+    tables = tuple(_belt_table(belt, of) for belt in belts)
+    return Sheet("Belts", "", None, tables, (), of.listed())
+
+
+def _belt_table(belt: catalogue.CatalogueBelt, of: Sources) -> Table:
+    """Return what is known of a belt."""
+    rows: list[Row] = []
+
+    def add(title: str, key: str, text: str) -> None:
+        origin = belt.sources.get(key, belt.provenance)
+        rows.append(Row(title, (text,), note="" if text == _ABSENT else of.note(origin)))
+
+    def sized(title: str, key: str, dimension: Dimension) -> None:
+        value = getattr(belt, key)
+        unknown = value is None or math.isnan(value)
+        add(title, key, _ABSENT if unknown else quantity(value, dimension))
+
+    add("Carcass", "kind", belt.kind)
+    sized("Breaking strength", "strength", "force_per_width")
+    sized("Rating", "rating", "force_per_width")
+    sized("Modulus M", "modulus", "force_per_width")
+    if belt.modulus_ends is not None:
+        least, most = belt.modulus_ends
+        add("Published moduli", "modulus", Cell(most, "force_per_width", form="to", other=least))
+    sized("Carrying cover", "carry_cover", "length")
+    sized("Pulley cover", "pulley_cover", "length")
+    cords = belt.kind == "steel cord"
+    sized("Cord diameter" if cords else "Carcass thickness", "carcass", "length")
+    if cords:
+        sized("Cord pitch", "cord_pitch", "length")
+    mass = _weight(belt.carcass_mass, 1.0, 1.0)
+    add("Mass of the carcass", "carcass_mass", _ABSENT if mass == NONE else mass)
+    cover = _weight(belt.cover_mass, 1e-3, 0.0254 / 32.0)
+    title = either("Mass of 1 mm of cover", "Mass of 1/32 in of cover")
+    add(title, "cover_mass", _ABSENT if cover == NONE else cover)
+    sized("Minimum drive pulley", "least_pulley_diameter", "length")
+    return Table(f"Belt {belt.name}", tuple(rows), name="belt")

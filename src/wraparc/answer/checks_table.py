@@ -1,7 +1,7 @@
 """The list of checks as every door shows it: a table, a summary, plain data."""
 
 import math
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from wraparc.answer.sheet import NONE, Row, Table, percent
 from wraparc.answer.sources import Sources
@@ -10,6 +10,9 @@ from wraparc.answer.words import format_verdict
 from wraparc.checks import Check, Verdict
 from wraparc.checks.action import Action
 from wraparc.units import in_units
+
+if TYPE_CHECKING:
+    from wraparc.train.whole import Whole
 
 #: Checks that a short answer shows, if no more are missed.
 _NEAREST = 4
@@ -104,9 +107,27 @@ def check_data(check: Check) -> dict[str, Any]:
     }
 
 
-def verdict_document(verdict: Verdict, action: Action | None = None) -> dict[str, Any]:
-    """Return a verdict as plain data in SI, see `verdict_object`, and every check once."""
+def verdict_document(
+    verdict: Verdict,
+    action: Action | None = None,
+    of: "Whole | None" = None,
+    drawn: "Whole | None" = None,
+) -> dict[str, Any]:
+    """Return a verdict as plain data in SI, see `verdict_object`, and every check once.
+
+    `of` is the drive whose reserve is sought, `drawn` that whose inputs are drawn; none unless
+    given.
+    """
+    own = format_verdict(verdict, verdict.full, action)
+    if of is not None:
+        from wraparc.answer.reserve_words import with_reserve  # solves rows
+
+        own = with_reserve(own, of, every=True)
+    if drawn is not None:
+        from wraparc.answer.probability_words import with_probability  # solves rows
+
+        own = with_probability(own, drawn)
     return {
-        **verdict_object(format_verdict(verdict, verdict.full, action), in_units),
+        **verdict_object(own, in_units),
         "checks": [check_data(check) for check in verdict.listed],
     }

@@ -3,19 +3,28 @@
 import csv
 import io
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import numpy as np
 
 from wraparc.answer.choose_verdict import choose_verdict
-from wraparc.answer.choose_words import design_name, reasons
+from wraparc.answer.choose_words import (
+    design_name,
+    missing_prices,
+    reasons,
+)
 from wraparc.answer.least_tension import tension_at
+from wraparc.answer.reserve_words import flip_data, input_name, percent_text
 from wraparc.answer.sheet import Row, Sheet, Table, headed, number, percent, quantity, started
+from wraparc.arrays import Array
 from wraparc.choose.across import MOST, is_uneven
 from wraparc.choose.belt_rating import LighterBelt
+from wraparc.choose.search import Search
 from wraparc.choose.selection import Selection
 from wraparc.drive import Sag
+from wraparc.reserve.of_designs import DesignReserve
+from wraparc.schema.problems import place_text
 from wraparc.units import RESULT_DIGITS, Cell, count, fixed
 
 _MOST_ROWS = 15
@@ -29,6 +38,7 @@ def choose_sheet(
     selection: Selection,
     lighter: LighterBelt | None = None,
     most: int = _MOST_ROWS,
+    by_reserve: Sequence[DesignReserve] = (),
 ) -> Sheet:
     """Return the answer of a search: the ranking, the fronts, the reasons of rejection.
 
@@ -40,9 +50,11 @@ def choose_sheet(
         Lightest belt that the best design could do with, if that was asked.
     most
         Rows of a table.
+    by_reserve
+        Designs in the order of their reserve, if that was asked.
     """
     search = selection.search
-    tables = [_ranking(selection, most), _rejected(selection, most)]
+    tables = [_ranking(selection, most, by_reserve), _rejected(selection, most)]
     told = choose_verdict(selection, lighter)
     remarks, sources = tuple(_remarks(selection)), tuple(_sources(selection))
     return Sheet(
@@ -76,11 +88,12 @@ def _heads(selection: Selection) -> tuple[str, ...]:
     return (*money_heads, headed("creep", "length"), *uneven, *tensions, "front")
 
 
-def _ranking(selection: Selection, most: int) -> Table:
+def _ranking(selection: Selection, most: int, by_reserve: Sequence[DesignReserve]) -> Table:
     costs, rows = selection.costs, []
+    reserves = {of.design: of for of in by_reserve}
     width = selection.search.drive.belt.width
     on_creep, on_slack = set(selection.creep_front), set(selection.slack_front)
-    for i in map(int, selection.ranking[:most]):
+    for i in map(int, [*reserves][:most] or selection.ranking[:most]):
         marks = [w for w, s in (("creep", on_creep), ("T2", on_slack)) if i in s]
         values = (
             *(count(float(v[i])) for v in (costs.total, costs.lagging, costs.energy)),
@@ -91,6 +104,7 @@ def _ranking(selection: Selection, most: int) -> Table:
             ),
             number("belt_modulus", float(selection.tight_tension[i]) / width),
             " ".join(marks),
+            *([_reserve_cell(reserves[i])] if reserves else []),
         )
         rows.append(Row(design_name(selection, i), values))
     more = len(selection.ranking) - len(rows)
@@ -101,14 +115,32 @@ def _ranking(selection: Selection, most: int) -> Table:
         note += "; uneven: tightest strip at the entry over the mean tension, the worst case"
         note += ", - where not solved across the width" if len(selection.unjudged) else ""
     note += f"; {more} more pass: --csv" if more > 0 else ""
-    order = "as recommended" if max(selection.search.shape[4:]) > 1 else "cheapest first"
+    order = "cheapest first"
+    if selection.search.unpriced and not np.any(costs.total > 0.0):
+        order = "lowest creep first"
+    elif max(selection.search.shape[4:]) > 1:
+        order = "as recommended"
+    if reserves:
+        order = "by reserve"
+        note += (
+            "; reserve: nearest change of an input that makes the verdict worse, in units of its"
+        )
+        note += f" uncertainty, of the first {len(reserves)} designs"
     return Table(
         f"Designs that pass, {order}",
         tuple(rows),
-        _heads(selection),
+        (*_heads(selection), *(["reserve"] if reserves else [])),
         note,
         "ranking",
     )
+
+
+def _reserve_cell(of: DesignReserve) -> str:
+    """Return the nearest change to a worse level: its input, by how much, and the level there."""
+    if of.flip is None:
+        return "not calculated" if of.reason else "none"
+    name = input_name(of.flip.input, of.drive)
+    return f"{name} {percent_text(of.flip.change)}: {of.flip.level}"
 
 
 def _uneven(selection: Selection, i: int) -> str:
@@ -135,19 +167,10 @@ def _rejected(selection: Selection, most: int) -> Table:
 
 def _remarks(selection: Selection) -> Iterator[str]:
     search = selection.search
-    yield (
-        "Lagging cost: material and installation, scaled by the lagged area, for as many laggings "
-        f"as wear out in {search.costing.years:g} years at the middle of their life; no interest."
-    )
-    by_wear = [lag.name for lag in search.laggings if lag.wear_coefficient is not None]
-    by_vendor = [lag.name for lag in search.laggings if lag.wear_coefficient is None]
-    if by_wear:
-        yield f"Life by frictional energy and wear coefficient: {', '.join(by_wear)}."
-    if by_vendor:
-        yield (
-            f"The life of {', '.join(by_vendor)} is that of the vendor, the same at every creep: "
-            "no wear coefficient is known, which would make it follow the frictional energy."
-        )
+    if search.unpriced:
+        yield f"{missing_prices(search)} The lagging is left out of the cost."
+    else:
+        yield from _lagging_remarks(search)
     yield from _slack_remarks(selection)
     yield from _edge_remarks(selection)
     if search.costing.tariff is None:
@@ -167,6 +190,22 @@ def _remarks(selection: Selection) -> Iterator[str]:
         yield (
             f"Only pulley {search.pulley} was varied. The slack-side tension is that behind the "
             "drives, where the take-up is; the Te of every pulley is that of the drive file."
+        )
+
+
+def _lagging_remarks(search: Search) -> Iterator[str]:
+    yield (
+        "Lagging cost: material and installation, scaled by the lagged area, for as many laggings "
+        f"as wear out in {search.costing.years:g} years at the middle of their life; no interest."
+    )
+    by_wear = [lag.name for lag in search.laggings if lag.wear_coefficient is not None]
+    by_vendor = [lag.name for lag in search.laggings if lag.wear_coefficient is None]
+    if by_wear:
+        yield f"Life by frictional energy and wear coefficient: {', '.join(by_wear)}."
+    if by_vendor:
+        yield (
+            f"The life of {', '.join(by_vendor)} is that of the vendor, the same at every creep: "
+            "no wear coefficient is known, which would make it follow the frictional energy."
         )
 
 
@@ -202,7 +241,9 @@ def _sources(selection: Selection) -> Iterator[str]:
         yield Sag.SOURCE
     for lagging in search.laggings:
         yield f"{lagging.name}, friction: {lagging.source_of('law')}"
-        price = search.costing.laggings[lagging.name]
+        price = search.costing.laggings.get(lagging.name)
+        if price is None or lagging.name in search.unpriced:
+            continue
         low, high = price.cost.life_years
         life = f"{low:g} to {high:g}" if low < high else f"{low:g}"
         yield f"{lagging.name}, cost, life {life} years: {price.source}"
@@ -267,21 +308,44 @@ def _plain(value: float) -> str:
     return "" if math.isnan(value) else f"{value + 0.0:.8g}"  # no -0.0
 
 
-def choose_document(selection: Selection, lighter: LighterBelt | None = None) -> dict[str, Any]:
+def choose_document(
+    selection: Selection,
+    lighter: LighterBelt | None = None,
+    by_reserve: Sequence[DesignReserve] = (),
+) -> dict[str, Any]:
     """Return the ranking and the rejections as plain data [SI] for JSON; at most 10,000 designs."""
     some = range(min(len(selection), 10_000))
+    reserves = [
+        {
+            "design": of.design,
+            "level": of.level.value,
+            "reserve": None if of.flip is None else flip_data(of.flip),
+            "reason": of.reason or None,
+        }
+        for of in by_reserve
+    ]
     return {
         "format": 3,
         "title": selection.search.title,
         "currency": selection.search.costing.currency,
         "years": selection.search.costing.years,
+        "missing_prices": [
+            {"lagging": name, "key": place_text(("cost", "lagging", name)), "currency": other}
+            for name, other in selection.search.unpriced.items()
+        ],
         "designs": [_design_data(selection, i) for i in some],
         "ranking": [int(i) for i in selection.ranking],
         "creep_front": [int(i) for i in selection.creep_front],
         "slack_front": [int(i) for i in selection.slack_front],
         "next_dearer": selection.next_dearer(),
         "lightest_belt": lighter.belt.name if lighter else None,
+        **({"by_reserve": reserves} if reserves else {}),
     }
+
+
+def _lagging_ends(selection: Selection) -> tuple[Array, Array]:
+    """Return the least and the largest cost of the lagging of every design, (n,) each."""
+    return selection.costs.lagging_least, selection.costs.lagging_most
 
 
 def _design_data(selection: Selection, i: int) -> dict[str, Any]:
@@ -301,8 +365,8 @@ def _design_data(selection: Selection, i: int) -> dict[str, Any]:
         "tight_tension": float(selection.tight_tension[i]),
         "cost": float(selection.costs.total[i]),
         "cost_range": [
-            float(selection.costs.total[i] - selection.costs.lagging[i] + part[i])
-            for part in (selection.costs.lagging_least, selection.costs.lagging_most)
+            float(selection.costs.belt[i] + selection.costs.energy[i] + part[i])
+            for part in map(np.nan_to_num, _lagging_ends(selection))
         ],
         "broken": {
             name: {

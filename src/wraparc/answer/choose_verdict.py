@@ -1,10 +1,13 @@
 """The verdict of a search: what to choose, or why there is nothing to."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 from wraparc.answer.choose_words import (
     closest_words,
     design_name,
+    missing_price_keys,
+    missing_prices,
     money,
     next_cost_words,
     reasons,
@@ -13,7 +16,7 @@ from wraparc.answer.choose_words import (
     unpriced_words,
 )
 from wraparc.answer.least_tension import at_least, tension_at
-from wraparc.answer.sheet import Verdict, named, percent
+from wraparc.answer.sheet import Also, Verdict, named, percent
 from wraparc.answer.words import action_of, format_verdict, minimum_sentences, stated_action, under
 from wraparc.checks import Level
 from wraparc.checks.action import Action
@@ -34,13 +37,7 @@ def choose_verdict(selection: Selection, lighter: LighterBelt | None) -> Verdict
     if not len(selection.ranking):
         return _single(selection) if len(selection) == 1 else _none(selection)
     best = int(selection.ranking[0])
-    currency, years = selection.search.costing.currency, selection.search.costing.years
-    held = tension_at(selection.search.drive.take_up_place)
-    text = (
-        f"Lowest cost: {design_name(selection, best, slack=False)} with {held} "
-        f"{at_least(float(selection.slack_tension[best]))}, "
-        f"{money(float(selection.costs.total[best]), currency)} in {years:g} years."
-    )
+    text = _first(selection, best)
     sentences = [
         *unpriced_words(selection),
         *next_cost_words(selection),
@@ -48,16 +45,38 @@ def choose_verdict(selection: Selection, lighter: LighterBelt | None) -> Verdict
     ]
     if lighter is not None:
         sentences.append(_lighter_belt(selection, lighter))
-    action = " ".join(_other_search(selection))
+    missing = missing_prices(selection.search)
+    if missing:
+        sentences.insert(0, missing_price_keys(selection.search))
+    action = " ".join(_other_search(selection)) or (missing and sentences[0])
     own = Verdict(
-        Level.OK,
+        Level.ATTENTION if missing else Level.OK,
         text,
         tuple(sentences),
         action=Action(action) if action else None,
+        also=(Also(Level.ATTENTION, missing, None),) if missing else (),
         name="choose",
     )
     judged = selection.verdict
-    return under(own, format_verdict(judged, action=stated_action(judged)))
+    told = under(own, format_verdict(judged, action=stated_action(judged)))
+    if told.level is Level.OK and selection.search.drive.states_uncertainty:
+        return replace(told, label=f"{Level.OK}, reserve not checked")
+    return told
+
+
+def _first(selection: Selection, best: int) -> str:
+    """Return the sentence on the first design of the ranking: its tension, and its cost."""
+    search, total = selection.search, float(selection.costs.total[best])
+    held = tension_at(search.drive.take_up_place)
+    design = (
+        f"{design_name(selection, best, slack=False)} with {held} "
+        f"{at_least(float(selection.slack_tension[best]))}"
+    )
+    if search.unpriced and not total > 0.0:
+        return f"Lowest creep: {design}, creep {named('exit_creep', selection.creep[best])}."
+    cost = f"{money(total, search.costing.currency)} in {search.costing.years:g} years"
+    first = "Lowest cost without lagging" if search.unpriced else "Lowest cost"
+    return f"{first}: {design}, {cost}."
 
 
 def _lighter_belt(selection: Selection, lighter: LighterBelt) -> str:

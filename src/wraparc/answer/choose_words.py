@@ -13,6 +13,8 @@ from wraparc.choose.across import EDGE
 from wraparc.choose.ranking import SAME
 from wraparc.choose.search import Search
 from wraparc.choose.selection import Selection, own_slack
+from wraparc.errors import format_list
+from wraparc.schema.problems import place_text
 from wraparc.units import RESULT_DIGITS, Cell
 
 
@@ -108,6 +110,23 @@ def reasons(selection: Selection, design: int) -> str:
     return "; ".join(reason(selection, design, n) for n in selection.broken(design))
 
 
+def missing_prices(search: Search) -> str:
+    """Return which laggings have no price in the currency; empty where all have one."""
+    unpriced = search.unpriced
+    if not unpriced:
+        return ""
+    currency = search.costing.currency
+    others = [other for other in dict.fromkeys(unpriced.values()) if other]
+    known = f", only in {' and '.join(others)}" if others else ""
+    return f"No {currency} price of {format_list([*unpriced], 3)}{known}."
+
+
+def missing_price_keys(search: Search) -> str:
+    """Return what to write for the prices that are missing."""
+    keys = [place_text(("cost", "lagging", name)) for name in search.unpriced]
+    return f"Give {format_list(keys, 3)}: material, installation, area, life_years."
+
+
 def unpriced_words(selection: Selection) -> Iterator[str]:
     """Yield what wrap or tension beyond that of the first design would save, and at what price."""
     ranking, total = selection.ranking, selection.costs.total
@@ -164,7 +183,7 @@ def _mass(search: Search, tension: float) -> str:
 
 def next_cost_words(selection: Selection) -> Iterator[str]:
     """Yield what the next dearer lagging would buy."""
-    if not len(selection.ranking):
+    if not len(selection.ranking) or selection.search.unpriced:
         return
     best, other = int(selection.ranking[0]), selection.next_dearer()
     currency = selection.search.costing.currency

@@ -15,6 +15,7 @@ from wraparc.answer.conditions_table import conditions_data
 from wraparc.answer.conveyor_table import conveyor_data
 from wraparc.answer.inputs import arc_inputs
 from wraparc.answer.least_tension import least_data
+from wraparc.answer.reserve_check import judge_uncertain
 from wraparc.answer.wear_table import life_data
 from wraparc.answer.words import action_of
 from wraparc.arc import ArcResult, ClassicalDrive, DriveResult, WrapArc, classical_drives
@@ -41,7 +42,12 @@ Data = dict[str, Any]
 
 
 def result_document(
-    results: Sequence[DriveResult], whole: "Whole | None" = None, *, file: str = ""
+    results: Sequence[DriveResult],
+    whole: "Whole | None" = None,
+    *,
+    file: str = "",
+    reserve: bool = False,
+    probability: bool = False,
 ) -> Data:
     """Return a solved drive as plain data.
 
@@ -57,12 +63,16 @@ def result_document(
         What the pulleys are of, where they are those of a train: it is judged.
     file
         Where the drive was read from.
+    reserve
+        Whether the verdict has the smallest change of each input that changes it.
+    probability
+        Whether the verdict has how probable its level is.
     """
     drive, whole = results[0].drive, whole or results[0]
-    told = judge(whole)
+    told = judge_uncertain(whole)
     judged = [whole, *results[1:]]
     arcs = [_arc_data(a, r, of) for r, of in zip(results, judged, strict=True) for a in r]
-    conveyor = conveyor_data(drive)
+    conveyor = conveyor_data(drive) if isinstance(whole, DriveResult) else _train_conveyor(whole)
     uneven = _uneven(results[0])
     return {
         "format": DOCUMENT_FORMAT,
@@ -74,7 +84,9 @@ def result_document(
         "solved": results[0].solved,
         "within_creep_limit": results[0].within_creep_limit,
         "governing": _place(results[0].governing),
-        "verdict": verdict_document(told, action_of(whole)),
+        "verdict": verdict_document(
+            told, action_of(whole), whole if reserve else None, whole if probability else None
+        ),
         "least_tension": least_data(whole),
         "remarks": list(told.remarks),
         "arcs": arcs,
@@ -84,8 +96,17 @@ def result_document(
     }
 
 
+def _train_conveyor(result: "TrainResult") -> Data | None:
+    return conveyor_data(result.train, result)
+
+
 def solved_document(
-    results: Sequence[DriveResult], train: "TrainResult | None" = None, *, file: str = ""
+    results: Sequence[DriveResult],
+    train: "TrainResult | None" = None,
+    *,
+    file: str = "",
+    reserve: bool = False,
+    probability: bool = False,
 ) -> Data:
     """Return what ``wraparc solve --json`` writes besides the answer of its sheet.
 
@@ -97,12 +118,17 @@ def solved_document(
         The train whose drives these are, if they are of one.
     file
         Where the drive was read from.
+    reserve
+        Whether the verdict has the smallest change of each input that changes it.
+    probability
+        Whether the verdict has how probable its level is.
     """
-    document = result_document(results, train, file=file)
+    wanted = {"reserve": reserve, "probability": probability}
+    document = result_document(results, train, file=file, **wanted)
     if train is not None:
         from wraparc.answer.train_document import train_document
 
-        document["train"] = train_document(train)
+        document["train"] = train_document(train, **wanted)
     return document
 
 

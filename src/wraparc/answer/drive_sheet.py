@@ -21,8 +21,10 @@ from wraparc.answer.input_tables import input_table, input_tables
 from wraparc.answer.inputs import drive_inputs
 from wraparc.answer.key_figures import figure_of, key_figures
 from wraparc.answer.least_tension import least_table, margins_table
+from wraparc.answer.reserve_check import judge_uncertain
 from wraparc.answer.sheet import (
     NONE,
+    ReserveWanted,
     Row,
     Sheet,
     Table,
@@ -58,6 +60,9 @@ def drive_sheet(
     detail: Sequence[int] | None = None,
     train: TrainResult | None = None,
     of: Sources | None = None,
+    *,
+    reserve: ReserveWanted = "",
+    probability: bool = False,
 ) -> Sheet:
     """Return everything to show of a solved drive.
 
@@ -71,6 +76,10 @@ def drive_sheet(
         What the pulleys are of, where they are those of a train: it is judged.
     of
         Takes the sources, where more refers to them than the sheet.
+    reserve
+        Whether to say what little change of an input changes the verdict: in a line, or of all.
+    probability
+        Whether to say how probable an OK is.
     """
     first = results[0]
     whole = train or first
@@ -78,10 +87,10 @@ def drive_sheet(
         detail = [first.arcs.index(first.governing)]
     of = Sources() if of is None else of
     tables = [conditions_table(first, whole)] if first.drive.conditions else []
-    tables.append(check_table(judge(whole), of))
+    tables.append(check_table(judge_uncertain(whole), of))
     least = least_table(whole)
     tables += [least] if least else []
-    tables += conveyor_tables(first.drive, of)
+    tables += conveyor_tables(first.drive if train is None else train.train, of, train)
     tables.append(summary_table(results, whole))
     if len(first) > 1:
         tables.append(figures_table(results))
@@ -93,10 +102,21 @@ def drive_sheet(
         from wraparc.answer.across_tables import across_tables
 
         tables += across_tables(first)
+    own = verdict(first, search=train is None)
+    if reserve:
+        from wraparc.answer.reserve_words import reserve_table, with_reserve  # solves rows
+
+        own = with_reserve(own, whole, every=reserve == "all") if train is None else own
+        tables += [reserve_table(whole)] if reserve == "all" else []
+    if probability:
+        from wraparc.answer.probability_words import probability_table, with_probability
+
+        own = with_probability(own, whole) if train is None else own
+        tables.append(probability_table(whole))
     return Sheet(
         title=first.drive.title or "Drive",
         subtitle=first.drive.description,
-        verdict=with_sides(verdict(first, search=train is None), results),
+        verdict=with_sides(own, results),
         tables=tuple(tables),
         remarks=(*judge(first).remarks, *method_remarks(results)),
         kept=tuple(method_remarks(results)),

@@ -46,7 +46,9 @@ def _verdict(rows: Sequence[EventRow]) -> Verdict:
     total, refused = len(rows), sum(row.refused for row in rows)
     found = Counter(Level(row.level) for row in rows if not row.refused)
     if found[Level.OK] == total:
-        return Verdict(Level.OK, f"All {total:,} designs pass.", name="study")
+        worst = max(rows, key=lambda row: 0.0 if math.isnan(row.used) else row.used, default=None)
+        closest = f" Closest: {worst.closest}." if worst and worst.closest else ""
+        return Verdict(Level.OK, f"All {total:,} designs pass.{closest}", name="study")
     if found[Level.FAILS] == total:
         return Verdict(Level.FAILS, f"All {total:,} designs fail.", name="study")
     counts = [
@@ -82,7 +84,7 @@ def _line(study: EventStudy, row: EventRow) -> Row:
         quantity(row.least_tension, "force"),
         NONE if math.isnan(row.swing) else percent(row.swing, 2),
         work(row.friction_energy),
-        quantity(row.pulsates, "frequency") if row.pulsates else "no",
+        quantity(row.oscillation_frequency, "frequency") if row.oscillation_frequency else "no",
         row.label,
     )
     return Row(_named(study, row), values, level=Level(row.level))

@@ -27,8 +27,12 @@ def field_sheet(
     title: str,
     pulley: str,
     wear_source: str = "",
+    learned: tuple[Table, ...] = (),
 ) -> Sheet:
-    """Return what to expect of a pulley in the field; `drive` is the verdict on the whole drive."""
+    """Return what to expect of a pulley in the field; `drive` is the verdict on the whole drive.
+
+    `learned` are the levels that its own logs gave.
+    """
     if found is None:
         subtitle = f"Pulley {pulley}: nothing to measure, as the belt slips on it."
         return Sheet(title=title, subtitle=subtitle, verdict=drive)
@@ -60,7 +64,7 @@ def field_sheet(
         title=title,
         subtitle=f"Pulley {pulley}: numbers to measure and to set.",
         verdict=_verdict(found, drive, pulley),
-        tables=(speeds, _levels(found), *_wear(found, wear_source)),
+        tables=(speeds, *learned, _levels(found), *_wear(found, wear_source)),
         remarks=tuple(_remarks(found)),
         sources=tuple(f"{rule.name}: {rule.source}" for rule in TRIP_RULES),
     )

@@ -11,12 +11,13 @@ from typing import TYPE_CHECKING
 from wraparc.answer.sheet import percent, quantity, term
 from wraparc.answer.sources import Sources
 from wraparc.arc import WrapArc
+from wraparc.catalogue.belt_modulus import format_test
 from wraparc.drive import CREEP_LIMIT, Belt, Drive, Lagging, Pulley
 from wraparc.drive.belt import COVER_SHEAR_MODULUS, LAYERS, THICKNESS
 from wraparc.drive.conditions import SCALED
 from wraparc.drive.pitch import ESTIMATED_COVER, covered, pitch_offset
 from wraparc.provenance import Kind, Provenance
-from wraparc.units import GIVEN_DIGITS, RESULT_DIGITS, Dimension
+from wraparc.units import GIVEN_DIGITS, RESULT_DIGITS, Dimension, either
 
 if TYPE_CHECKING:
     from wraparc.train import Train
@@ -135,7 +136,9 @@ def belt_inputs(belt: Belt) -> Iterator[Input]:
     name = f"{belt.name} ({belt.kind})" if belt.kind else belt.name
     yield Input(group, "Belt", name, origin=belt.provenance)
     yield _named(group, "belt_width", belt.width, origin("width"))
-    yield _named(group, "belt_modulus", belt.modulus, origin("modulus"))
+    measured = format_test(belt.kind, belt.modulus_test, belt.modulus_loads)
+    remark = "" if math.isinf(belt.modulus) else measured
+    yield _named(group, "belt_modulus", belt.modulus, origin("modulus"), remark)
     yield _named(group, "axial_stiffness", belt.axial_stiffness, None, "M B")
     yield own("Rating of the belt", belt.rating, "force_per_width", "rating")
     if belt.breaking_strength is not None:
@@ -205,8 +208,9 @@ def _across(pulley: Pulley, origin: Callable[[str], Provenance]) -> Iterator[Inp
         remark = rows if profile.value else "crown, on radius"
         yield Input(group, title, size, dimension, "", origin("across"), remark)
     if across.misalignment:
-        skew = 1e3 * across.misalignment
-        yield Input(group, "Misalignment", f"{skew:g} mm/m", origin=origin("across"))
+        skew = across.misalignment
+        text = either(f"{1e3 * skew:.4g} mm/m", f"{12.0 * skew:.4g} in/ft")
+        yield Input(group, "Misalignment", text, origin=origin("across"))
     if across.deflection:
         yield Input(group, "Shaft deflection", across.deflection, "length", "", origin("across"))
 

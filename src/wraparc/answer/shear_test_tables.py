@@ -20,16 +20,19 @@ from wraparc.answer.shear_test_standard import laws_table, standard_tables
 from wraparc.answer.sheet import NONE, Also, Row, Sheet, Table, Verdict, named
 from wraparc.checks import Level
 from wraparc.checks.action import Action
+from wraparc.errors import format_names
 from wraparc.friction import ab_from_peak
 from wraparc.shear_test.analysis import ConditionResult, PlanResult, TestResult
 from wraparc.shear_test.campaign import NOT_STATED
 from wraparc.shear_test.curve_fit import Z95
 from wraparc.shear_test.derivative import derivative_check
-from wraparc.shear_test.misfit import OTHER_PRESSURE, noise_levels
+from wraparc.shear_test.lash import LEAST_LASH, lash_range
+from wraparc.shear_test.misfit import OTHER_PRESSURE, Misfit, noise_levels
 from wraparc.shear_test.pressure_form import equations
 from wraparc.shear_test.sentences import form_sentences
 from wraparc.units import (
     GIVEN_DIGITS,
+    Cell,
     bare,
     count,
     fixed,
@@ -123,19 +126,67 @@ def verdict(result: PlanResult) -> Verdict:
         action = Action("Check the tests left out (--table left-out).")
         return Verdict(Level.ATTENTION, text, shown, action=action, name="fit")
     if misfit:
-        action = Action("Repeat or leave out these tests, and fit again.")
-        return Verdict(Level.ATTENTION, _rejected(result), shown, action=action, name="fit")
+        heads = [s for s in misfit if isinstance(s, Misfit) and s.headline]
+        first = heads[0] if heads else Misfit("")
+        action = Action(first.action or "Repeat or leave out these tests, and fit again.")
+        text = f"Fit rejected: {first.headline}." if heads else _rejected(result)
+        rest = dict.fromkeys(_started(s.headline) for s in heads[1:])
+        lash = _lash(result)
+        also = tuple(Also(Level.ATTENTION, text) for text in rest)
+        also += (Also(Level.OK, f"{lash}."),) if lash else ()
+        return Verdict(
+            Level.ATTENTION, text, shown, action=action, also=also, checks_at="--full", name="fit"
+        )
     text = f"Fit accepted: {total} of {total} tests, maximum deviation {_deviation(result)[0]}."
     unsure = any(NOT_STATED in condition.remarks for condition in result.conditions)
-    order = Also(Level.OK, "Test order missing: wear during the tests is not detectable.")
+    lash = _lash(result)
+    order = (Also(Level.OK, "Test order missing: wear during the tests is not detectable."),)
+    if unsure and lash:
+        order = (Also(Level.OK, f"{lash}; test order missing: wear is not detectable."),)
+    elif lash:
+        order = (Also(Level.OK, f"{lash}."),)
     return Verdict(
         Level.OK,
         text,
         (_remainders(result),),
         action=_peak_action(result),
-        also=(order,) if unsure else (),
+        also=(*_left_rows(result), *(order if unsure or lash else ())),
+        checks_at="--full",
         name="fit",
     )
+
+
+def _left_rows(result: PlanResult) -> tuple[Also, ...]:
+    """Say which tests, strokes, rows or columns of the files the law is not of."""
+    tests = [test for condition in result.conditions for test in condition.tests]
+    planned = {(t.file, t.choices.block or 1) for t in result.plan.tests}
+    found: dict[str, str] = {}
+    for test in tests:
+        record, file = test.record, test.test.file
+        blocks = record.blocks - sum(of == file for of, _ in planned)
+        rows = record.rows - len(record.travel)
+        if blocks > 0:
+            found.setdefault(file, f"{blocks} of {record.blocks} tests of {file}")
+        elif test.curve.other_strokes:
+            found.setdefault(file, f"{test.curve.other_strokes} further strokes of {file}")
+        elif rows > 0:
+            found.setdefault(file, f"{rows} of {record.rows} rows of {file}")
+        elif record.passed_over:
+            names = format_names(record.passed_over[:1])
+            found.setdefault(file, f"column {names} of {file}")
+    if not found:
+        return ()
+    first = next(iter(found.values()))
+    more = f", and of {len(found) - 1} more files" if len(found) > 1 else ""
+    return (Also(Level.OK, f"Not used: {first}{more} (--table files)."),)
+
+
+def _lash(result: PlanResult) -> str:
+    """Say how much travel was taken as lash; nothing of a figure, which has none."""
+    if result.plan.digitised is not None:
+        return ""
+    low, high = lash_range([test for condition in result.conditions for test in condition.tests])
+    return f"Lash taken off: {Cell(high, 'length', 2, 'to', low)}" if high >= LEAST_LASH else ""
 
 
 def _rejected(result: PlanResult) -> str:
@@ -158,12 +209,17 @@ def _peak_action(result: PlanResult) -> Action | None:
     return Action(f"Test to more than {named('slip', max(slips))} slip to find the peak friction.")
 
 
+def maximum_deviation(tests: Sequence[TestResult]) -> str:
+    """Return the largest remainder of a single curve, as a share of its friction."""
+    share = max(test.fit.remainder / _top(test) for test in tests)
+    return f"{100 * share:.1f} % of friction"
+
+
 def _deviation(result: PlanResult) -> tuple[str, str]:
     """Return the largest remainder of a single curve, of its friction and in noise levels."""
     tests = [test for condition in result.conditions for test in condition.tests]
-    share = max(test.fit.remainder / _top(test) for test in tests)
     levels = max(noise_levels(test.fit, test.curve) for test in tests)
-    return f"{100 * share:.1f} % of friction", f"{levels:.1f} noise levels"
+    return maximum_deviation(tests), f"{levels:.1f} noise levels"
 
 
 def _remainders(result: PlanResult) -> str:
@@ -396,7 +452,7 @@ def prediction_table(condition: ConditionResult, name: str) -> Table:
         Row(
             title=_pressure(item.pressure),
             values=(fixed(item.error, 4), fixed(item.noise_levels, 2), fixed(item.scatter, 4)),
-            note="" if item.inside else "outside the others: extrapolated",
+            note="" if item.inside else "outside the others: as at their end",
         )
         for item in condition.found.left_out
     )

@@ -5,15 +5,14 @@ label and one remark wherever it appears. Numbers stand in them as cells, in SI;
 sheet in a system of units.
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, fields, replace
-from typing import Any, TypeVar, cast
+from typing import TYPE_CHECKING, Any, Literal, TypeVar, cast
 
 from wraparc.checks import Check, Level
 from wraparc.checks import Verdict as Judgement
 from wraparc.checks.action import Action, Way
 from wraparc.glossary import GLOSSARY, Quantity
-from wraparc.provenance import Kind
 from wraparc.units import (
     NONE,
     RESULT_DIGITS,
@@ -28,10 +27,13 @@ from wraparc.units import (
 )
 from wraparc.units.cell import Form
 
+if TYPE_CHECKING:
+    from wraparc.reserve import Flip, Probability
+
 __all__ = [
     "NONE",
-    "WEAK",
     "Also",
+    "ReserveWanted",
     "Row",
     "Sheet",
     "Table",
@@ -47,7 +49,6 @@ __all__ = [
     "shown",
     "started",
     "term",
-    "weak_sources",
 ]  # fmt: skip
 _T = TypeVar("_T")
 
@@ -146,6 +147,10 @@ class Also:
     check: Check | None = None
 
 
+#: How much of its reserve is sought with a verdict: the line alone, or every input.
+ReserveWanted = Literal["", "line", "all"]
+
+
 @dataclass(frozen=True)
 class Verdict:
     """The answer in a few lines, each one object that every door shows as it is.
@@ -169,6 +174,10 @@ class Verdict:
         said.
     reserve
         What little change of an input changes the verdict.
+    flips
+        The same as data.
+    probability, shares
+        How probable the level is, and the same as data; empty and None where it is not asked for.
     changes
         What each change of the drive comes to, a sentence each.
     checks_at
@@ -190,6 +199,9 @@ class Verdict:
     wet: str = ""
     data: str = ""
     reserve: tuple[str, ...] = ()
+    flips: tuple["Flip", ...] = ()
+    probability: str = ""
+    shares: "Probability | None" = None
     changes: tuple[str, ...] = ()
     checks_at: str = "--table checks"
     name: str = ""
@@ -207,6 +219,7 @@ class Verdict:
         action = [("Action", self.action.text)] if self.action else []
         last = [("Wet", self.wet)] if self.wet else []
         last += [("Reserve", text) for text in self.reserve]
+        last += [("Probability", self.probability)] if self.probability else []
         last += [("Data", self.data)] if self.data else []
         room = MOST_LINES - 1 - len(action) - len(last)
         changes = _lines_of("Change", self.changes, room - bool(self.also), "--table changes")
@@ -263,15 +276,6 @@ class Sheet:
     sources: tuple[str, ...] = ()
     foot: tuple[str, ...] = ()
     kept: tuple[str, ...] | None = None
-
-
-#: Kinds of data that a short answer names.
-WEAK = (Kind.ILLUSTRATIVE, Kind.CALIBRATED)
-
-
-def weak_sources(sources: Iterable[str]) -> tuple[str, ...]:
-    """Return the sources that tell of data which describe no product, or were fitted to a drive."""
-    return tuple(s for s in sources if any(f": {kind}" in s for kind in WEAK))
 
 
 def term(name: str) -> Quantity:

@@ -58,6 +58,7 @@ _PICKED: dict[str, _Pick] = {
     "checks": _Pick(),
     "conditions": _Pick(rows=("verdict", "minimum_tension"), judged=True),
     "cases": _Pick(most=9),
+    "conveyor": _Pick(),
     "drives": _Pick(
         rows=("share", "effective", "motor_load", "speed_trim", "exit_c"), alone=True, noted=False
     ),
@@ -89,6 +90,7 @@ _PICKED: dict[str, _Pick] = {
     "estimates": _Pick(),
     "misfit": _Pick(most=6),
     "predicted": _Pick(most=12),
+    "learned": _Pick(most=12, tables=2),
     "records": _Pick(),
     # many designs
     "groups": _Pick(tables=1000),

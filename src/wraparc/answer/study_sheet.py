@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from typing import Any
 
 from wraparc.alike import ALIKE
 from wraparc.answer.sheet import (
@@ -19,7 +18,6 @@ from wraparc.answer.sheet import (
     percent,
     quantity,
     started,
-    weak_sources,
 )
 from wraparc.answer.study_words import group_name, subtitle, varied_table, verdict
 from wraparc.checks import RULES, Level
@@ -68,21 +66,15 @@ def study_sheet(
     if local is None and summary.groups:
         tables += _group_tables(summary, units)
     tables += varied_table(data)
-    told, said = verdict(summary, indices), (*_remarks(summary), *remarks)
+    told = verdict(summary, indices)
     return Sheet(
         title=str(data["title"]),
         subtitle=subtitle(data),
         verdict=told,
         tables=tuple(tables),
-        remarks=said,
+        remarks=(*_remarks(summary), *remarks),
         sources=tuple(sources),
-        kept=(*said, *(weak_sources(sources) if _varies_lagging(data) else ())),
     )
-
-
-def _varies_lagging(data: Mapping[str, Any]) -> bool:
-    """Return whether designs differ by lagging: the data line is that of the drive as it is."""
-    return any(name.endswith(".lagging") for name in data["levels"])
 
 
 def _group_tables(summary: Summary, units: Mapping[str, Dimension | None]) -> Iterator[Table]:

@@ -8,7 +8,7 @@ from typing import Any
 
 from wraparc.alike import largest
 from wraparc.answer.sheet import Also, Row, Table, Verdict, named, percent, quantity, started
-from wraparc.checks import RULES, Level
+from wraparc.checks import RULES, Check, Level
 from wraparc.checks.action import Action
 from wraparc.glossary import GLOSSARY
 from wraparc.study.fields import names_of
@@ -111,7 +111,7 @@ def _sentence(summary: Summary, level: Level, what: str) -> str:
     """Say in one sentence how many designs pass, or miss which limit."""
     over, total, missed = summary.over_limit, sum(summary.counts.values()), summary.judged.missed
     if level is Level.OK:
-        return f"All {total:,} {what} pass."
+        return f"All {total:,} {what} pass.{_closest(summary)}"
     governing = RULES[next(iter(missed))].what if missed else ""
     if level is Level.FAILS:
         return f"All {total:,} {what} fail{f'; governing: {governing}' if missed else ''}."
@@ -177,6 +177,23 @@ def part(count: int, total: int) -> str:
     if told in ("100 %", "0 %"):
         return f"all but {total - count:,}" if told == "100 %" else f"{count:,}"
     return told
+
+
+def _closest(summary: Summary) -> str:
+    """Say how near creep comes to its limit: the largest, where inputs are drawn in 95 %."""
+    limit, places = (
+        summary.creep_limit,
+        (0, 2) if summary.drawn else (1,),
+    )  # 5 and 95 %, braking too
+    known = [group.percentiles.get("exit_creep", ()) for group in summary.groups]
+    creeps = [abs(of[place]) for of in known if of for place in places]
+    if not creeps or not limit.one or math.isnan(limit.least):
+        return ""
+    check = Check(
+        name="creep", title="creep", level=Level.OK, value=max(creeps), limit=limit.least,
+        dimension=GLOSSARY["exit_creep"].dimension,
+    )  # fmt: skip
+    return f" Closest: creep {check.measured}{' (95 %)' if summary.drawn else ''}."
 
 
 def _exceed(name: str, count: int, total: int, what: str, limit: Limit) -> str:

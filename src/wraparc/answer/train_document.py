@@ -6,10 +6,11 @@ from typing import Any
 
 from wraparc.answer.checks_table import verdict_document
 from wraparc.answer.least_tension import least_data
+from wraparc.answer.reserve_check import judge_uncertain
 from wraparc.answer.train_words import matching_verdict
 from wraparc.answer.verdict_data import verdict_object
 from wraparc.answer.words import action_of
-from wraparc.checks import TRAIN_BALANCE, judge
+from wraparc.checks import TRAIN_BALANCE
 from wraparc.train import CaseResult, Matching, MemberResult, ShareCurve, ShareMap, TrainResult
 from wraparc.units import in_units
 from wraparc.version import __version__
@@ -17,12 +18,22 @@ from wraparc.version import __version__
 Data = dict[str, Any]
 
 
-def train_document(result: TrainResult, *, search: bool = True) -> Data:
-    """Return what a solved train has besides its arcs; `search` as `train_verdict` has it."""
+def train_document(
+    result: TrainResult, *, search: bool = True, reserve: bool = False, probability: bool = False
+) -> Data:
+    """Return what a solved train has besides its arcs.
+
+    `search` is as `train_verdict` has it, `reserve` and `probability` as `result_document`.
+    """
     action = action_of(result, search=search)
     return {
         "solved": result.solved,
-        "verdict": verdict_document(judge(result), action),
+        "verdict": verdict_document(
+            judge_uncertain(result),
+            action,
+            result if reserve else None,
+            result if probability else None,
+        ),
         "least_tension": least_data(result),
         "load_cases": [_case_data(case) for case in result],
     }

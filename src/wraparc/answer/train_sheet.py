@@ -4,12 +4,14 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from math import isnan
 
+from wraparc.answer.conveyor_table import conveyor_tables
 from wraparc.answer.drive_sheet import drive_sheet, read_sheet, with_sides
 from wraparc.answer.input_tables import input_tables
 from wraparc.answer.inputs import drive_inputs
 from wraparc.answer.key_figures import figure_of, key_figures
 from wraparc.answer.sheet import (
     NONE,
+    ReserveWanted,
     Row,
     Sheet,
     Table,
@@ -48,6 +50,8 @@ def train_sheet(
     pulleys: Sequence[DriveResult] = (),
     *,
     search: bool = True,
+    reserve: ReserveWanted = "",
+    probability: bool = False,
     of: Sources | None = None,
 ) -> Sheet:
     """Return everything to show of a solved train.
@@ -62,14 +66,27 @@ def train_sheet(
         Its pulleys by one method or several; as in the train unless given.
     search
         Whether changes of the drive are tried for the action.
+    reserve
+        Whether to say what little change of an input changes the verdict: in a line, or of all.
+    probability
+        Whether to say how probable an OK is.
     of
         Takes the sources, where more refers to them than the sheet.
     """
     results = list(pulleys) or [result.drive_result()]
-    arcs = drive_sheet(results, detail, result, of)
+    arcs = drive_sheet(results, detail, result, of, reserve=reserve, probability=probability)
     checks = 1 + bool(least_tension(result)) + bool(result.train.conditions)
     tables = (*arcs.tables[:checks], *train_tables(result), *arcs.tables[checks:])
-    verdict = with_sides(train_verdict(result, search=search), results)
+    verdict = train_verdict(result, search=search)
+    if reserve:
+        from wraparc.answer.reserve_words import with_reserve  # solves rows
+
+        verdict = with_reserve(verdict, result, every=reserve == "all")
+    if probability:
+        from wraparc.answer.probability_words import with_probability  # solves rows
+
+        verdict = with_probability(verdict, result)
+    verdict = with_sides(verdict, results)
     return replace(arcs, verdict=verdict, tables=tables)
 
 
@@ -78,7 +95,7 @@ def train_input_sheet(train: Train) -> Sheet:
     of = Sources()
     inputs = (*drive_inputs(train, divided=True), *train_inputs(train))
     tables = input_tables(inputs, of)
-    return read_sheet(train, tables, of)
+    return read_sheet(train, (*conveyor_tables(train, of), *tables), of)
 
 
 def train_tables(result: TrainResult) -> tuple[Table, ...]:

@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Sequence
 from math import floor, isfinite, isnan, log10, nan
 
+from wraparc.answer.reserve_check import judge_uncertain
 from wraparc.answer.sheet import Verdict, named, percent
 from wraparc.answer.words import (
     action_of,
@@ -11,7 +12,7 @@ from wraparc.answer.words import (
     under,
     whole_verdict,
 )
-from wraparc.checks import Level, Place, idle, judge
+from wraparc.checks import Level, Place, idle
 from wraparc.checks.action import Action
 from wraparc.checks.numbers import pull_against
 from wraparc.glossary import GLOSSARY
@@ -44,7 +45,7 @@ def train_verdict(result: TrainResult, *, search: bool = True) -> Verdict:
     search
         Whether changes of the drive are tried for the action.
     """
-    worst, judged = result.governing, judge(result)
+    worst, judged = result.governing, judge_uncertain(result)
     governing = [*case_sentences(worst, result.cases)]
     others = [s for case in result if case is not worst for s in short_sentences(case)]
     sentences = [*minimum_sentences(result), *judged.full, *governing, *others]

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from wraparc.answer.sheet import Also, Verdict
 from wraparc.checks import Check, Place
@@ -10,6 +10,9 @@ from wraparc.checks import Verdict as Judgement
 from wraparc.checks.action import Action, Way
 from wraparc.checks.verdict import DATA_CLASSES
 from wraparc.units import DIMENSION_TEXT
+
+if TYPE_CHECKING:
+    from wraparc.reserve import Flip, Probability
 
 Data = dict[str, Any]
 #: What forms a text of cells.
@@ -37,7 +40,9 @@ def verdict_object(told: Verdict, form: FormText) -> Data:
         "changes": [form(text) for text in told.changes],
         "also": [_also(other, form) for other in told.also],
         "wet": None if judged is None else _wet(judged, told.wet, form),
-        "reserve": [form(text) for text in told.reserve],
+        "reserve": [_flip(flip) for flip in told.flips],
+        "reserve_text": form(told.reserve[0]) if told.reserve else None,
+        "probability": None if told.shares is None else _probability(told.shares, told, form),
         "data": None if judged is None else _data(judged),
         "passed": None if judged is None else judged.passed,
         "missed": None if judged is None else len(judged.missed),
@@ -60,6 +65,18 @@ def place_data(place: Place) -> Data:
     """Return a place as plain data: None where it has no such part."""
     names = ("pulley", "spot", "load_case", "event", "condition")
     return {**{name: getattr(place, name) or None for name in names}, "time": place.time}
+
+
+def _flip(flip: "Flip") -> Data:
+    from wraparc.answer.reserve_words import flip_data  # rows are loaded where there are some
+
+    return flip_data(flip)
+
+
+def _probability(of: "Probability", told: Verdict, form: FormText) -> Data:
+    from wraparc.answer.probability_words import probability_data  # rows, as above
+
+    return {**probability_data(of), "text": form(told.probability)}
 
 
 def _facts(check: Check) -> Data:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from weakref import WeakKeyDictionary
 
 from wraparc.answer.least_tension import least_sentence
+from wraparc.answer.reserve_check import judge_uncertain
 from wraparc.answer.sheet import Also, Verdict, named
 from wraparc.arc import ArcResult, DriveResult, Status
 from wraparc.checks import Check, Level, idle, judge
@@ -29,9 +30,9 @@ def verdict(result: DriveResult, *, search: bool = True) -> Verdict:
     result
         The solved drive.
     search
-        Whether changes of the drive are tried for the action.
+        Whether changes of the drive are tried: for the action, and of stated uncertainties.
     """
-    judged, worst = judge(result), result.governing
+    judged, worst = _judge(result, search=search), result.governing
     sentences = [*minimum_sentences(result), *judged.full]
     if worst.status is Status.BREAKAWAY:
         sentences += _breakaway(worst)
@@ -40,19 +41,23 @@ def verdict(result: DriveResult, *, search: bool = True) -> Verdict:
 
 def whole_verdict(result: "DriveResult | TrainResult", *, search: bool = True) -> Verdict:
     """Return the verdict on a drive or train, to stand under the answer to another question."""
-    judged = judge(result)
+    judged = _judge(result, search=search)
     told = format_verdict(judged, judged.full, action_of(result, search=search))
     return replace(told, checks_at="wraparc solve")
 
 
 def action_of(result: "DriveResult | TrainResult", *, search: bool = True) -> Action | None:
     """Return what to do about a drive or train: tried, or what the governing check states."""
-    judged = judge(result)
-    if not search or not judged.missed:
-        return stated_action(judged)
+    if not search or not judge(result).missed:
+        return stated_action(_judge(result, search=search))
     from wraparc.actions import find_action  # solves rows and trains: only where something is amiss
 
     return find_action(result)
+
+
+def _judge(result: "DriveResult | TrainResult", *, search: bool) -> Judgement:
+    """Return the verdict; with the check of stated uncertainties where changes are tried at all."""
+    return judge_uncertain(result) if search else judge(result)
 
 
 def minimum_sentences(result: "DriveResult | TrainResult") -> Iterator[str]:
@@ -64,7 +69,7 @@ def minimum_sentences(result: "DriveResult | TrainResult") -> Iterator[str]:
 
 def stated_action(judged: Judgement) -> Action | None:
     """Return what the governing check states itself, for which nothing is tried."""
-    worst = judged.governing
+    worst = judged.kind_in_doubt or judged.governing
     return Action(worst.action_text) if worst is not None and worst.action else None
 
 

@@ -67,6 +67,8 @@ SMALL, MOST_KINKS = 1e-5, 60  # creep without a sign, of the largest; kinks of o
 TURN = 1e-3  # of the arc: an element so short needs no grading towards a turn of the creep
 FREELY = 1e-10  # of a change of K behind a rest arc that its start does not take back
 KINK = 1e-4  # of an element: how near to a kink an element has to end
+AMPLIFIED = 10.0  # by how much creep may answer to a misfit of tension on the usual mesh
+MOST_AMPLIFIED = 100.0  # how much finer a mesh gets for it: finer ones end in rounding
 MESH = 1e-6  # misfit of an element, of the largest change of tension, that is let stand
 LONGEST = 2.0  # slide behind a rest arc that is followed, of the wrap
 ROUGH = 1e-3  # misfit that is let stand on the way
@@ -834,6 +836,18 @@ def softened(face: Interface, arc: Geometry, ends: Ends, at: Course, tol: float)
 
 def solved(face: Interface, arc: Geometry, ends: Ends, start: Course, tol: float = MESH) -> Solved:
     """Meet the end conditions from a first guess, on meshes that adapt until nothing misses."""
+    found = _refined(face, arc, ends, start, tol)
+    if not found.done or ends.kind != TENSION or face.rests:
+        return found
+    answers = amplification(found)
+    if answers <= AMPLIFIED:
+        return found
+    finer = _refined(face, arc, ends, found.course, tol / answers)
+    return finer if finer.done else found
+
+
+def _refined(face: Interface, arc: Geometry, ends: Ends, start: Course, tol: float) -> Solved:
+    """The course on meshes that adapt until no element misses by more."""
     found = converged(face, arc, ends, start, FIRST_STEPS, COARSELY)
     kept = 0
     for _ in range(MOST_ROUNDS):
@@ -847,6 +861,19 @@ def solved(face: Interface, arc: Geometry, ends: Ends, start: Course, tol: float
             break
         found = converged(face, arc, ends, new, LATER_STEPS, COARSELY)
     return converged(face, arc, ends, found.course, LATER_STEPS, NEWTON)
+
+
+def amplification(found: Solved) -> float:
+    """How many times the relative error of tension that of creep is, tensions given, from 1 [-].
+
+    L |dK/dT| |T(0) - T(L)| / max|u|, T at the end where it counts more: large where more creep
+    hardly brings more friction.
+    """
+    at, slopes = found.course, found.slopes
+    pull = abs(at.tension[0] - at.tension[-1])
+    moves = at.place[-1] * max(abs(slopes.first_goal), 1.0) * pull
+    size = abs(slopes.first) * max([abs(creep) for creep in at.creep])
+    return min(moves / size, MOST_AMPLIFIED) if moves > size else 1.0
 
 
 def solved_or_softened(

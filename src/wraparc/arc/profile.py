@@ -14,6 +14,7 @@ from wraparc.arc.collocation import (
     C0,
     C1,
     C2,
+    KINK,
     compliance_of,
     held_stiffness,
     kinks,
@@ -33,6 +34,11 @@ LOBATTO, AT_ENDS, INSIDE = 0.27639320225002106, 1.0 / 12.0, 5.0 / 12.0
 ACTIVE_SHARE = 0.01  # of the change of tension that lies before the active arc
 HALVINGS, NEAR = 45, 1e-9  # of a place between two points; how near to an end a slope is looked at
 ALIKE = 1e-12  # of the arc: places that are one
+#: How near to a kink an element ends, and a little, as a fraction of it; where x' is looked at.
+BESIDE = 1.2 * KINK
+PLACES = (BESIDE, 0.25, 0.5, 0.75, 1.0 - BESIDE)
+#: Share of the largest x' from which on a top beside it is looked for; parabolas; halvings.
+ABOUT, NARROWER, SIDES = 0.9, 4, 24
 
 
 class Point(NamedTuple):
@@ -359,15 +365,81 @@ def read(arc: Geometry, met: Met, tested: Range) -> Read:
 
 def along_slip(arc: Geometry, met: Met) -> tuple[float, float]:
     """Largest magnitude of slip along the arc [m], and of its growth per length [-]."""
-    most = steepest = 0.0
+    most = 0.0
     for at in samples(arc, met):
         most = max(most, abs(at.slip))
-        if at.slip != 0.0:
-            felt = traction_of(arc, met, at.tension, at.creep)
-            growth = met.course.ratio - compliance_of(arc) * at.tension
-            loss = felt.by_pressure * felt.stress / arc.radius
-            steepest = max(steepest, abs(growth - arc.shear * (felt.by_creep * growth - loss)))
-    return most, steepest
+    return most, steepest_slip(arc, met)
+
+
+def steepest_slip(arc: Geometry, met: Met) -> float:
+    """Largest growth of slip per length along the arc [-].
+
+    x' = u' - (h/G) tau' has a top of its own, or a jump where an element ends at a kink of the law:
+    it is the larger one of both sides then.
+    """
+    n = len(met.course.place) - 1
+    if met.course.place[-1] == 0.0:
+        return 0.0
+    rates = [[_slip_growth(arc, met, i, c) for c in PLACES] for i in range(n)]
+    most = max(_slip_growth(arc, met, 0, NEAR), _slip_growth(arc, met, n - 1, 1.0))
+    for part in rates:
+        most = max(most, max(part))  # noqa: PLW3301
+    for i in range(n):
+        part = rates[i]
+        for k in range(1, len(PLACES) - 1):
+            if part[k] >= ABOUT * most and part[k] >= max(part[k - 1], part[k + 1]):
+                most = max(most, _top_growth(arc, met, i, PLACES[k]))
+        if i + 1 < n:
+            before, behind = part[-1], rates[i + 1][0]
+            if max(before, behind) >= (1.0 - BESIDE) * most and before != behind:
+                most = max(most, _growth_at_kink(arc, met, i, before, behind))
+    return most
+
+
+def _slip_growth(arc: Geometry, met: Met, i: int, c: float) -> float:
+    """Magnitude of x' at a fraction of an element [-]; 0 where the belt does not slip."""
+    u, tension = state_at(arc, met.course, i, c)
+    felt = traction_of(arc, met, tension, u)
+    if felt.slip == 0.0:
+        return 0.0
+    growth = met.course.ratio - compliance_of(arc) * tension
+    loss = felt.by_pressure * felt.stress / arc.radius
+    return abs(growth - arc.shear * (felt.by_creep * growth - loss))
+
+
+def _top_growth(arc: Geometry, met: Met, i: int, c: float) -> float:
+    """Top of x' in an element beside a place: of parabolas through three that are ever closer."""
+    most, wide = 0.0, PLACES[2] - PLACES[1]
+    for _ in range(NARROWER):
+        before, here, behind = (
+            _slip_growth(arc, met, i, c - wide),
+            _slip_growth(arc, met, i, c),
+            _slip_growth(arc, met, i, c + wide),
+        )
+        most = max(most, before, here, behind)
+        bend = before - 2.0 * here + behind
+        if not bend < 0.0:
+            break
+        c += wide * min(max(0.5 * (before - behind) / bend, -0.5), 0.5)
+        wide *= 0.25
+        c = min(max(c, PLACES[0] + wide), PLACES[-1] - wide)
+    return max(most, _slip_growth(arc, met, i, c))
+
+
+def _growth_at_kink(arc: Geometry, met: Met, i: int, before: float, behind: float) -> float:
+    """Larger x' of both sides of the kink beside the end of an element."""
+    places = met.course.place
+    wide, next_wide = places[i + 1] - places[i], places[i + 2] - places[i + 1]
+    low, high = -BESIDE * wide, BESIDE * next_wide
+    for _ in range(SIDES):
+        middle = 0.5 * (low + high)
+        j, c = (i, 1.0 + middle / wide) if middle < 0.0 else (i + 1, middle / next_wide)
+        rate = _slip_growth(arc, met, j, c)
+        if abs(rate - before) < abs(rate - behind):
+            low, before = middle, rate
+        else:
+            high, behind = middle, rate
+    return max(before, behind)
 
 
 def entry_ratio(arc: Geometry, met: Met) -> float:

@@ -25,6 +25,8 @@ from wraparc.views import Viewable
 nan = math.nan
 #: Names of the ends of the interval of the creep.
 _INTERVAL = ("exit_creep_low", "exit_creep_high")
+#: Numbers that only a check reads: times the belt speed it is the slip speed.
+_UNREPORTED = frozenset({"steepest_slip"})
 
 
 #: What helps a drive that slips, at the end of what else does.
@@ -208,6 +210,8 @@ class ArcResult(Viewable):
         Entry part over which the belt does not slip [rad].
     capacities, energy
         See there.
+    steepest_slip
+        Largest growth of slip per length of the arc, not among `scalars` [-].
     """
 
     status: Status
@@ -232,6 +236,7 @@ class ArcResult(Viewable):
     stuck_arc: float
     capacities: Capacities
     energy: Energy
+    steepest_slip: float = nan
 
     @classmethod
     def without_state(
@@ -346,7 +351,7 @@ class ArcResult(Viewable):
         named = {
             f.name: getattr(self, f.name)
             for f in fields(self)
-            if isinstance(getattr(self, f.name), float)
+            if isinstance(getattr(self, f.name), float) and f.name not in _UNREPORTED
         }
         named["tension_ratio"] = self.tension_ratio
         named["effective_tension"] = self.effective_tension

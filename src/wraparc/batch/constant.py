@@ -39,6 +39,10 @@ def constant_friction(bank: LawBank) -> Array:
     return found
 
 
+#: What is written: an operating point.
+_POINT = sorted({*row.PLACES[row.TENSIONS], *row.PLACES[row.RATIO]})
+
+
 def solve_constant(arcs: Arcs, which: Flags, found: Array) -> Flags:
     """Solve driving arcs under constant friction into rows of results; returns which are solved.
 
@@ -62,7 +66,7 @@ def solve_constant(arcs: Arcs, which: Flags, found: Array) -> Flags:
     # with a tested range, what lies outside it is counted by the scalar kernel
     good &= np.isnan(given["slip_max"]) & np.isnan(some.laws.tested_speed[some.law])
     done[rows] = good
-    found[rows[good]] = out[good]
+    found[np.ix_(rows[good], _POINT)] = out[np.ix_(good, _POINT)]  # capacities stay as they are
     return done
 
 

@@ -7,7 +7,7 @@ from functools import partial, reduce
 
 import numpy as np
 
-from wraparc.arrays import Array, Integers
+from wraparc.arrays import Array, Flags, Integers
 from wraparc.batch import row
 from wraparc.batch.traction import Stress, Tables
 from wraparc.batch.two_point import Block, Courses, Curves, Solved
@@ -18,10 +18,12 @@ NEARER = 2  # times that the largest shear is looked for, each by two tries
 #: Fractions of an element where it is looked at, and where the law is a table: that has more kinks.
 LOOKS: Array = np.linspace(0.0, 1.0, 3)
 CLOSER: Array = np.linspace(0.0, 1.0, 5)
+#: The steepest slip: cells that are looked into, equal parts of them, and how often again.
+CELLS, INNER, CLOSER_LOOKS = 3, 9, 12
 
 
 def read_courses(
-    block: Block, met: Solved, lowest: Array, highest: Array, furthest: Array
+    block: Block, met: Solved, tested: tuple[Array, Array, Array], timed: Flags
 ) -> dict[int, Array]:
     """Columns of operating points by their places in a row of results.
 
@@ -29,9 +31,12 @@ def read_courses(
     ----------
     block, met
         Arcs and their courses.
-    lowest, highest, furthest
-        Tested pressures [Pa] and largest tested slip [m], nan without.
+    tested
+        Least and largest tested pressure [Pa] and largest tested slip [m], nan without.
+    timed
+        Of which arcs the steepest slip is exact; of others it is that of some points of the course.
     """
+    lowest, highest, furthest = tested
     at, every = met.courses, met.curves
     # at the ends of elements and between them
     looks = CLOSER if isinstance(block.laws, Tables) else LOOKS
@@ -55,12 +60,19 @@ def read_courses(
     peak, where = _largest_stress(block, every, looks, np.abs(s.stress), growths)
     largest_slip = _tops(size, (slips[:-1] * apart, slips[1:] * apart)).max(axis=0)
     outside = np.full(len(block), np.nan)
-    tested = np.flatnonzero(np.isfinite(furthest))
-    if len(tested):
-        limits = (lowest[tested], highest[tested], furthest[tested])
-        some = [column.take(tested, axis=-1) for column in (shares, tension, size)]
-        part, along = block.rows(tested), every.take_rows(tested)
-        outside[tested] = _outside(part, along, looks, some[0], some[1], some[2], limits)
+    known = np.flatnonzero(np.isfinite(furthest))
+    if len(known):
+        limits = (lowest[known], highest[known], furthest[known])
+        some = [column.take(known, axis=-1) for column in (shares, tension, size)]
+        part, along = block.rows(known), every.take_rows(known)
+        outside[known] = _outside(part, along, looks, some[0], some[1], some[2], limits)
+    steepest = np.abs(steep).max(axis=0)
+    exact = np.flatnonzero(timed)
+    if len(exact):
+        part, along = block.rows(exact), every.take_rows(exact)
+        growth = np.abs(steep.take(exact, axis=-1))
+        found = _steepest(part, along, looks, at.ratio[exact], growth)
+        steepest[exact] = np.maximum(steepest[exact], found)
     return {
         row.LOG_RATIO: np.log(at.tension[-1] / at.tension[0]),
         row.EXIT_CREEP: at.creep[-1],
@@ -75,7 +87,7 @@ def read_courses(
         row.ACTIVE: (1.0 - _begins(at, every)) * block.length,
         row.OUTSIDE: outside,
         row.LARGEST_SLIP: largest_slip,
-        row.STEEPEST_SLIP: np.abs(steep).max(axis=0),
+        row.STEEPEST_SLIP: steepest,
     }
 
 
@@ -157,6 +169,63 @@ def _largest_stress(
         a, f_a, d_a = (np.where(grows, *pair) for pair in ((c, a), (f, f_a), (d, d_a)))
         b, f_b, d_b = (np.where(grows, *pair) for pair in ((b, c), (f_b, f), (d_b, d)))
     return most, part.start + where * part.width
+
+
+def _steepest(block: Block, every: Curves, looks: Array, ratio: Array, size: Array) -> Array:
+    """Largest growth of slip per length, also between samples, shape (n,) [-].
+
+    It has tops, and jumps where the law has a kink. Looked at closer and closer are the cells in
+    which it is largest if it goes on as beside them, for one side of a jump is as it is there.
+
+    Parameters
+    ----------
+    block, every, looks
+        Arcs, their elements, and where these are looked at.
+    ratio
+        K, shape (n,) [-].
+    size
+        Growth of slip at the samples [-].
+    """
+    n, cells = len(block), len(size) - 1
+    rows = np.arange(n)
+    shares = _merged(
+        np.concatenate([every.start, every.start[-1:] + every.width[-1:]]),
+        every.start + looks[1:-1, None, None] * every.width,
+    )
+    promise = _promise(size, np.diff(shares, axis=0))
+    which = np.argsort(-promise, axis=0, kind="stable")[: min(CELLS, cells)]
+    place, parts = which // (len(looks) - 1), which % (len(looks) - 1)
+    part = every.take(place * n + rows)
+    low, high = looks[parts], looks[parts + 1]
+    most = size.max(axis=0)
+    inner = np.linspace(0.0, 1.0, INNER + 1)[:, None, None]
+    for _ in range(CLOSER_LOOKS):
+        c = low + (high - low) * inner
+        f = _slip_growth(block, part, ratio, c)
+        most = np.maximum(most, f.max(axis=(0, 1)))
+        best = _promise(f, np.diff(c, axis=0)).argmax(axis=0)
+        first = np.clip(best - 1, 0, INNER - 3)
+        wide = (high - low) / INNER
+        low = low + first * wide
+        high = low + 3.0 * wide
+    return np.asarray(most)
+
+
+def _slip_growth(block: Block, part: Curves, ratio: Array, c: Array) -> Array:
+    """Magnitude of x' at fractions of elements [-]; 0 where the belt does not slip."""
+    tension = part.tension_at(c)
+    s = block.stress(tension, part.creep_at(c))
+    growth = ratio - block.compliance * tension
+    return np.where(s.slip == 0.0, 0.0, np.abs(growth - block.shear * _rise(block, s, growth)))
+
+
+def _promise(size: Array, apart: Array) -> Array:
+    """Largest value between samples if it goes on as beside, shape (samples - 1, n)."""
+    slope = np.diff(size, axis=0) / apart
+    most = np.maximum(size[:-1], size[1:])
+    most[1:] = np.maximum(most[1:], size[1:-1] + slope[:-1] * apart[1:])
+    most[:-1] = np.maximum(most[:-1], size[1:-1] - slope[1:] * apart[:-1])
+    return most
 
 
 def crossing(

@@ -10,7 +10,7 @@ import numpy as np
 
 from wraparc.arc import Status
 from wraparc.arc.quantities import BREAKAWAY, REFUSED, SOLVED, UNSOLVED
-from wraparc.arrays import Array, Flags
+from wraparc.arrays import Array, Flags, Integers
 from wraparc.batch import row
 from wraparc.batch.arcs import Arcs
 from wraparc.batch.setting import Setting
@@ -70,6 +70,14 @@ class BatchResult(Mapping[str, Array]):
     slack_rise: Array | None = None
     known: dict[str, Any] = field(default_factory=dict, init=False)
 
+    def rows(self, which: Integers) -> BatchResult:
+        """Return some of the arcs; what was worked out is left."""
+        columns = ("friction_factor", "slip_factor", "tight_rise", "slack_rise")
+        every = {name: getattr(self, name) for name in columns}
+        some = {name: None if c is None else c[which] for name, c in every.items()}
+        arcs, found = self.arcs.rows(which), self.found[which]
+        return BatchResult(arcs, found, setting=self.setting, **some)
+
     def growing(self, tight_rise: Array, slack_rise: Array) -> BatchResult:
         """Return the same arcs with tensions that grow so with the pull [N]."""
         if self.tight_rise is tight_rise and self.slack_rise is slack_rise:
@@ -114,7 +122,10 @@ class BatchResult(Mapping[str, Array]):
 
     @property
     def slip_speed(self) -> Array:
-        """Largest speed of the belt on the lagging, or a bound from below, shape (n,) [m/s]."""
+        """Largest speed of the belt on the lagging, shape (n,) [m/s].
+
+        Of laws without a tested slip speed a bound from below: at the points of a mesh.
+        """
         shell = 1.0 + self.arcs.pitch_offset / (0.5 * self.arcs.diameter)  # runs by so much less
         speed: Array = self.arcs.belt_speed / shell * self.found[:, row.STEEPEST_SLIP]
         return speed

@@ -21,7 +21,7 @@ from wraparc.friction.compact import CompactLaw
 
 #: what is wanted of an arc, to be added up with the capacities
 TENSIONS = 1
-RATIO = 32  # of the operating point the creep ratio alone, and how it answers to the tensions
+RATIO = 32  # of the operating point creep and creep ratio alone, and how that answers to tensions
 EVERYTHING = TENSIONS + CAPACITIES
 
 #: numbers of one arc, as they are read
@@ -58,7 +58,7 @@ FOUND_NUMBERS = 23
 #: places that each part fills
 PLACES = {
     TENSIONS: (*range(OUTCOME, OUTSIDE + 1), LARGEST_SLIP, STEEPEST_SLIP),
-    RATIO: (OUTCOME, CREEP_RATIO, RATIO_BY_ENTRY, RATIO_BY_EXIT),
+    RATIO: (OUTCOME, EXIT_CREEP, CREEP_RATIO, RATIO_BY_ENTRY, RATIO_BY_EXIT),
     CREEP_LIMIT: (CREEP_CAPACITY,),
     TESTED_SLIP: (SLIP_CAPACITY,),
     LEAST: (LEAST_SLACK, MOST_PULL),

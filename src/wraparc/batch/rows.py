@@ -15,7 +15,7 @@ import numpy as np
 
 from wraparc.arc import capacity
 from wraparc.arc.capacity import FAR, HALVINGS, HIGHEST
-from wraparc.arc.collocation import CREEP, TENSION
+from wraparc.arc.collocation import CREEP, MOST_AMPLIFIED, TENSION
 from wraparc.arc.gross_slip import PRESSURES
 from wraparc.arc.quantities import BREAKAWAY, LEAST_COMPLIANCE, REFUSED, SOLVED
 from wraparc.arrays import Array, Flags, Integers
@@ -43,16 +43,23 @@ MESHES, FINER = (4, 8, 12, 20, 32, 48, 96, 192), (6, 12, 28, 48, 96, 192)
 #: What misfit is let stand, of the accuracy: errors are a 50th of it in the median, half at most
 #: under friction that rises, two thirds past its peak.
 MISFIT = 1.0
+#: How many times the relative error of tension that of creep may be before a finer mesh is asked.
+AMPLIFIED = 4.0
 #: What the creep at the exit may have moved from the mesh before, of the accuracy: friction that
 #: hardly grows with slip makes much creep of a small misfit.
 MOVED = 10.0
-SMALLEST_LOG_RATIO = 1e-5
+#: Tensions of a smaller ratio, ln(tight/slack), are left to the scalar solver [-], but where an
+#: overrun makes creep of its own that friction does not hold [m].
+SMALLEST_LOG_RATIO, LEAST_OVERRUN = 1e-5, 1e-9
 #: Creeps of which the largest ratio of a law that falls past its peak is looked for, times the one
 #: at which a share of the peak is reached; then nearer to the best.
 ON_THE_RISE = 0.6
 CREEPS = (0.4, 0.7, 1.0, 1.5, 2.2, 3.3, 5.0, 7.0, 10.0, 16.0, 30.0, 60.0)
 NEARER = 9  # a kink of the law beside the top needs so many
 
+#: Of the largest ratio, ln(tight/slack), by how much more is gross slip for sure: a hundred times
+#: what that may be off.
+SURELY = 1e-4
 FIRST_NEAR = 0.05  # of Newton's method on the first mesh: what it leaves is the mesh's
 LARGEST_FALL = 6.0  # of ln T, of a first guess
 #: numbers of an array that is made and freed at first: from then on glibc keeps what it frees, up
@@ -142,7 +149,7 @@ def solve_rows(arcs: Arcs, parts: int, accuracy: float) -> tuple[Array, Flags]:
     return found, left > 0
 
 
-def carried_on(arcs: Arcs, on: OnLine, part: int, accuracy: float) -> AtLimit:
+def carried_on(arcs: Arcs, on: OnLine, by_slip: Flags, accuracy: float) -> AtLimit:
     """Meet the creep limit or the largest tested slip of arcs with tensions on lines.
 
     Parameters
@@ -151,8 +158,8 @@ def carried_on(arcs: Arcs, on: OnLine, part: int, accuracy: float) -> AtLimit:
         The arcs; their tensions are where to begin.
     on
         What the tensions are to keep.
-    part
-        `CREEP_LIMIT` or `TESTED_SLIP`.
+    by_slip
+        Where it is the largest tested slip, shape (n,).
     accuracy
         As for `solve_rows`.
     """
@@ -161,9 +168,8 @@ def carried_on(arcs: Arcs, on: OnLine, part: int, accuracy: float) -> AtLimit:
         with np.errstate(all="ignore"):
             batch = RowBatch.of(arcs.rows(which), accuracy)
             some = np.flatnonzero((batch.found[:, row.OUTCOME] == SOLVED) & ~batch.rigid)
-            by_creep = part == capacity.CREEP_LIMIT
-            limit = batch.of_input("creep_limit")[some] if by_creep else None
-            met = batch.at_limit(some, on.rows(which[some]), limit)
+            slips = by_slip[which[some]]
+            met = batch.at_limit(some, on.rows(which[some]), batch.limits(some, slips), slips)
         for told, column in zip(found, met, strict=True):
             told[which[some]] = column
     return found
@@ -313,12 +319,12 @@ class RowBatch:
             self._find_tensions(live, row.TENSIONS, self._read)
         elif parts & row.RATIO:
             self._find_tensions(live, row.RATIO, self._read_ratio)
+        self._find_softened(live)
         if parts & (capacity.CREEP_LIMIT + capacity.LEAST):
-            limit = self.of_input("creep_limit")
-            self._find_carried(live, limit, row.CREEP_CAPACITY, capacity.CREEP_LIMIT)
+            self._find_carried(live, row.CREEP_CAPACITY, capacity.CREEP_LIMIT)
         if parts & capacity.TESTED_SLIP:
             tested = live[np.isfinite(self.of_input("slip_max")[live])]
-            self._find_carried(tested, None, row.SLIP_CAPACITY, capacity.TESTED_SLIP)
+            self._find_carried(tested, row.SLIP_CAPACITY, capacity.TESTED_SLIP)
         if parts & capacity.LEAST:
             self._find_least(live)
         self._cap_by_gross(parts)
@@ -371,7 +377,9 @@ class RowBatch:
         for k in range(first, len(meshes)):
             done = solved(block, ends, at, FIRST_NEAR if k == 0 else self.near)
             sound = done.met & ((done.grows > 0.0) | (ends.kind != TENSION))
-            good = sound & self._near(ends, done, last) if k > first else np.zeros_like(sound)
+            good = (
+                sound & self._near(block, ends, done, last) if k > first else np.zeros_like(sound)
+            )
             ready, on = np.flatnonzero(good), np.flatnonzero(sound & ~good)
             if len(ready):
                 read(which[some[ready]], block.rows(ready), done.rows(ready))
@@ -385,7 +393,7 @@ class RowBatch:
             at = on_mesh(done.courses, done.curves, shares)
         return np.concatenate([*lost, some])
 
-    def _near(self, ends: Ends, done: Solved, last: Array) -> Flags:
+    def _near(self, block: Block, ends: Ends, done: Solved, last: Array) -> Flags:
         """Whether courses are near enough: by their misfit, and by what the last mesh moved.
 
         Where a ratio is asked, it is the tension of the slack side that has to be.
@@ -395,14 +403,21 @@ class RowBatch:
         if ends.kind == TENSION:
             size = np.abs(at.creep).max(axis=0)
             moved = np.abs(at.creep[-1] - last) <= MOVED * wanted * size
-            return np.asarray((misfit <= MISFIT * wanted) & moved)
+            pull = np.abs(at.tension[0] - at.tension[-1])
+            by_tension = np.maximum(np.abs(done.by_entry), np.abs(done.by_exit))
+            moves = by_tension * block.length * pull / size
+            amplified = np.clip(moves / AMPLIFIED, 1.0, MOST_AMPLIFIED)
+            return np.asarray((misfit * amplified <= MISFIT * wanted) & moved)
         fall = np.abs(np.log(at.tension[0] / at.tension[-1]))
         return np.asarray(misfit <= MISFIT * wanted * fall)
 
     def _find_tensions(self, live: Integers, part: int, read: Read) -> None:
         """Operating points; what is not found is that part of what is wanted."""
         entry, leaving = self.of_input("entry_tension"), self.of_input("exit_tension")
-        asks = (self.log_ratio > SMALLEST_LOG_RATIO) & (self.found[:, row.OUTCOME] == SOLVED)
+        creeps = np.abs(self.block.overrun(entry)[0]) > LEAST_OVERRUN
+        creeps &= self.block.laws.jump(entry / self.block.area) == 0.0
+        asks = (self.log_ratio > SMALLEST_LOG_RATIO) | creeps
+        asks &= self.found[:, row.OUTCOME] == SOLVED
         idle = live[(self.found[live, row.OUTCOME] == SOLVED) & ~asks[live]]
         self.left[idle] |= part
         which = live[asks[live]]
@@ -413,18 +428,36 @@ class RowBatch:
         guess = Guess(entry[which], leaving[which], creep)
         self.left[self.meet(which, ends, guess, read)] |= part
 
+    def _find_softened(self, live: Integers) -> None:
+        """Find which of the arcs that no mesh serves slip grossly past the peak of their friction.
+
+        The scalar solver tries many creeps before it says so.
+        """
+        point = row.TENSIONS | row.RATIO
+        open_ = (self.left[live] & point > 0) & (self.of_input("steepest_fall")[live] < 0.0)
+        which = live[open_ & (self.found[live, row.OUTCOME] == SOLVED)]
+        if not len(which):
+            return
+        beyond = self.log_ratio[which] > (1.0 + SURELY) * self._largest(which)[0]
+        self.found[which[beyond], row.OUTCOME] = BREAKAWAY
+        self.left[which[beyond]] &= ~point
+
     def _read(self, which: Integers, block: Block, met: Solved) -> None:
         """Write operating points into rows of results."""
-        tested = ("pressure_min", "pressure_max", "slip_max")
-        columns = read_courses(block, met, *(self.of_input(name)[which] for name in tested))
+        low, high, slip = (
+            self.of_input(name)[which] for name in ("pressure_min", "pressure_max", "slip_max")
+        )
+        timed = np.isfinite(self.arcs.laws.tested_speed[self.arcs.law[which]])
+        columns = read_courses(block, met, (low, high, slip), timed)
         for place, column in columns.items():
             self.found[which, place] = column
         # a belt that creeps by more than its length is one that the scalar solver does not hold
         self.left[which[columns[row.CREEP_RATIO] >= 1.0]] |= row.TENSIONS
 
     def _read_ratio(self, which: Integers, block: Block, met: Solved) -> None:
-        """Write entry creep ratios and their slopes into rows of results."""
+        """Write creeps, entry creep ratios and their slopes into rows of results."""
         at = met.courses
+        self.found[which, row.EXIT_CREEP] = at.creep[-1]
         ratio = at.ratio - block.compliance * at.tension[0]
         self.found[which, row.CREEP_RATIO] = ratio
         self.found[which, row.RATIO_BY_ENTRY] = met.by_entry - block.compliance
@@ -432,21 +465,24 @@ class RowBatch:
         self.left[which[ratio >= 1.0]] |= row.RATIO
 
     def at_limit(
-        self, which: Integers, on: OnLine, limit: Array | None, guess: Tensions | None = None
+        self,
+        which: Integers,
+        on: OnLine,
+        goal: Array,
+        by_slip: Flags,
+        guess: Tensions | None = None,
     ) -> AtLimit:
-        """Meet a creep [m], or the largest tested slip, at the exit with tensions on lines.
+        """Meet a creep [m], or where said a slip [m], at the exit with tensions on lines.
 
         From a guess of the tensions; without one, where about what is used then meets the line.
         """
         block = self.block.rows(which)
-        slip = self.of_input("slip_max")[which]
-        goal = slip if limit is None else limit
         about, used = _guess_on(block, on, self.tight[which], goal)
         guess = about if guess is None else guess
         drives, tight, slack = block.side > 0.0, guess.tight, guess.slack
-        end = block.side * (goal if limit is not None else goal + block.shear * used)
+        end = block.side * np.where(by_slip, goal + block.shear * used, goal)
         begin = Guess(np.where(drives, tight, slack), np.where(drives, slack, tight), end)
-        asked_slip = block.side * slip if limit is None else np.full(len(which), np.nan)
+        asked_slip = np.where(by_slip, block.side * goal, np.nan)
         at_entry = np.where(drives, on.at_tight, on.at_slack)
         at_exit = np.where(drives, on.at_slack, on.at_tight)
         ends = Ends(at_entry, at_exit, on.tension, CREEP, end, asked_slip)
@@ -465,15 +501,25 @@ class RowBatch:
         self.meet(which[begun], ends.rows(begun), some, read)
         return AtLimit(tight[which], slack[which], grows[which])
 
-    def _carried(self, which: Integers, tight: Array, limit: Array | None) -> Array:
-        """ln(tight/slack) at a creep [m], or at the largest tested slip; nan where that fails."""
+    def limits(self, which: Integers, by_slip: Flags) -> Array:
+        """Return the creep limits of rows, or where said their largest tested slips [m]."""
+        slip, creep = self.of_input("slip_max")[which], self.of_input("creep_limit")[which]
+        return np.where(by_slip, slip, creep)
+
+    def _carried(
+        self, which: Integers, tight: Array, limit: Array, *, by_slip: bool = False
+    ) -> Array:
+        """ln(tight/slack) at a creep, or a slip [m]; nan where that fails."""
         one = np.ones(len(which))
-        met = self.at_limit(which, OnLine(one, 0.0 * one, tight), limit)
+        on = OnLine(one, 0.0 * one, tight)
+        met = self.at_limit(which, on, limit, np.full(len(which), by_slip))
         return np.log(met.tight / met.slack)
 
-    def _find_carried(self, which: Integers, limit: Array | None, place: int, part: int) -> None:
+    def _find_carried(self, which: Integers, place: int, part: int) -> None:
         """Capacity at the creep limit, or at the largest tested slip."""
-        found = self._carried(which, self.tight[which], None if limit is None else limit[which])
+        by_slip = part == capacity.TESTED_SLIP
+        limit = self.limits(which, np.full(len(which), by_slip))
+        found = self._carried(which, self.tight[which], limit, by_slip=by_slip)
         self.found[which, place] = found
         self.left[which[np.isnan(found)]] |= part
 
@@ -490,7 +536,8 @@ class RowBatch:
         tight = np.maximum(tight, 1.02 * pull[which])
         limit, one = self.of_input("creep_limit"), np.ones(len(which))
         guess = Tensions(tight, tight - pull[which])
-        met = self.at_limit(which, OnLine(one, -one, pull[which]), limit[which], guess)
+        on = OnLine(one, -one, pull[which])
+        met = self.at_limit(which, on, limit[which], np.zeros(len(which), dtype=bool), guess)
         done = (met.grows > 0.0) & (met.tight <= top[which])
         self.found[which[done], row.LEAST_SLACK] = (met.tight - pull[which])[done]
         rest = which[~done]

@@ -167,16 +167,20 @@ class LoadedRows:
         tight = np.maximum(self.arcs.entry_tension, self.arcs.exit_tension)
         tests_end_first = self._creep_at_end(tight) < EARLY * SLIDES
         tested = np.isfinite(self.arcs.laws.tested[self.arcs.law].T[2])
-        found = []
-        for cause, part, has in ((TESTED, BY_SLIP, tested), (CREEP, BY_CREEP, ~tests_end_first)):
-            which = np.flatnonzero(has & ~self.peaks)
-            parts = [
-                carried_on(given.rows(some), on.rows(some), part, self.setting.accuracy)
-                for some in np.split(which, range(CHUNK, len(which), CHUNK))
-            ]
-            columns = (np.concatenate(column) for column in zip(*parts, strict=True))
-            found.append((cause, which, AtLimit(*columns)))
-        return found
+        slips, creeps = (np.flatnonzero(of & ~self.peaks) for of in (tested, ~tests_end_first))
+        which = np.concatenate([slips, creeps])
+        by_slip = np.arange(len(which)) < len(slips)
+        parts = []
+        for part in np.split(np.arange(len(which)), range(CHUNK, len(which), CHUNK)):
+            some = which[part]
+            parts.append(
+                carried_on(given.rows(some), on.rows(some), by_slip[part], self.setting.accuracy)
+            )
+        met = AtLimit(*(np.concatenate(column) for column in zip(*parts, strict=True)))
+        return [
+            (cause, rows, AtLimit(*(column[by_slip == is_slip] for column in met)))
+            for cause, rows, is_slip in ((TESTED, slips, True), (CREEP, creeps, False))
+        ]
 
     def _creep_at_end(self, tight: Array) -> Array:
         """Creep where the tests end: their slip and what the lagging shears, shape (n,) [m]."""
@@ -412,7 +416,7 @@ def wet_creeps(
         return found
     friction, slip = (factor[known] for factor in factors)
     again = solve_scaled(
-        arcs.rows(known), friction * wet[known], slip, setting=setting, capacities=False
+        arcs.rows(known), friction * wet[known], slip, setting=setting, parts=row.RATIO
     )
     found[known] = np.where(again.solved, np.abs(again["exit_creep"]), np.inf)
     return found

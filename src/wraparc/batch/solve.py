@@ -16,7 +16,7 @@ from wraparc.batch import row
 from wraparc.batch.arcs import Arcs, arcs_of_table
 from wraparc.batch.result import BatchResult
 from wraparc.batch.rows import solve_rows
-from wraparc.batch.setting import Setting
+from wraparc.batch.setting import Setting, named_setting
 from wraparc.drive import Lagging
 from wraparc.drive.usual_sizes import OF_COLUMNS, OVER_WIDTH, USUAL_SIZES, unusual_rows
 from wraparc.errors import InputError, Problem
@@ -33,7 +33,7 @@ def solve_batch(
     table: Mapping[str, ArrayLike],
     laggings: Sequence[Lagging] | Lagging,
     *,
-    setting: Setting = Setting.ENGINEERING,
+    setting: Setting | str = Setting.ENGINEERING,
     capacities: bool = True,
     threads: int | None = None,
     progress: Progress | None = None,
@@ -105,7 +105,7 @@ def _implausible(table: Mapping[str, Any], width: Array) -> Iterator[str]:
 def solve_arcs(
     arcs: Arcs,
     *,
-    setting: Setting = Setting.ENGINEERING,
+    setting: Setting | str = Setting.ENGINEERING,
     capacities: bool = True,
     parts: int | None = None,
     threads: int | None = None,
@@ -118,7 +118,7 @@ def solve_arcs(
     arcs
         The arcs, see `wraparc.batch.arcs.arcs_of_table`.
     setting
-        How accurately.
+        How accurately: a `Setting`, or its name, ``"precise"``.
     capacities
         Whether capacities and margins are wanted; without them the columns are nan.
     parts
@@ -133,8 +133,9 @@ def solve_arcs(
     Raises
     ------
     InputError
-        If `threads` is less than 1.
+        If `threads` is less than 1, or there is no such setting.
     """
+    setting = named_setting(setting)
     wanted = row.EVERYTHING if capacities else row.TENSIONS
     wanted = wanted if parts is None else parts
     found = np.empty((len(arcs), row.FOUND_NUMBERS))

@@ -254,14 +254,14 @@ def mean_creep(block: Block, entry: Array, leaving: Array, used: float = MOST_US
     p = tension / block.area
     needed = fall * block.radius / block.length * p
     needed = np.minimum(needed, used * block.laws.plateau(p) * p)
-    # upwards to the first creep that does, for friction may fall again
-    high, less = np.full(len(block), LEAST_FIRST), np.ones(len(block), dtype=bool)
-    f_low, f_high = np.zeros(len(block)), block.stress(tension, high).stress
-    for _ in range(UPWARDS):
-        less &= f_high < needed
-        high = np.where(less, WIDER * high, high)
-        f_low = np.where(less, f_high, f_low)
-        f_high = np.where(less, block.stress(tension, high).stress, f_high)
+    # the first creep that does, for friction may fall again
+    shape = UPWARDS + 1, len(block)
+    creeps = np.broadcast_to(LEAST_FIRST * WIDER ** np.arange(UPWARDS + 1.0)[:, None], shape)
+    f = block.stress(np.broadcast_to(tension, shape), creeps).stress
+    first = (f[:-1] < needed).cumprod(axis=0).sum(axis=0)
+    rows = np.arange(len(block))
+    high, f_high = creeps[first, rows], f[first, rows]
+    f_low = np.where(first > 0, f[first - 1, rows], 0.0)
     # then by a power of the creep between two
     low = high / WIDER
     for _ in range(BETWEEN):

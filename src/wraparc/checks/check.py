@@ -62,7 +62,7 @@ class Place(NamedTuple):
     pulley, load_case, event
         Names.
     spot
-        Where on the pulley: ``entry``, ``worst strip``.
+        Where on the pulley: ``entry``, ``worst face strip``.
     condition
         Of the friction, where several are solved. A load case that is solved in each of them is
         named with it: ``start, wet``.

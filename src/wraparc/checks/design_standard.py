@@ -27,6 +27,10 @@ _ROUNDING = 1e-9  # of angles in degrees
 MANUAL_SOURCE = "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8)"
 
 
+#: What to do where a standard has no friction for a drive.
+SET_FRICTION = "Set design_standard.friction."
+
+
 @dataclass(frozen=True)
 class StandardRequirement:
     """What a standard requires of a pulley.
@@ -41,8 +45,8 @@ class StandardRequirement:
         Slack-side tension over effective tension [-]; nan where the standard says nothing.
     source
         Where it is written.
-    why_not
-        Why there is no wrap factor.
+    why_not, remedy
+        Why there is no wrap factor, and what to do.
     """
 
     name: str
@@ -50,6 +54,7 @@ class StandardRequirement:
     wrap_factor: float
     source: str
     why_not: str = ""
+    remedy: str = SET_FRICTION
 
     @property
     def rule(self) -> str:
@@ -158,11 +163,12 @@ def _manual(lagging: Lagging, wrap_angle: float) -> StandardRequirement:
     angle = math.degrees(wrap_angle)
     if not rows[0][0] - _ROUNDING <= angle <= rows[-1][0] + _ROUNDING:
         ends = f"{rows[0][0]:g} to {rows[-1][0]:g} deg"
-        return _silent("CEMA", f"manual take-up factors cover wraps {ends}")
+        why = f"wrap {angle:.4g} deg, manual take-up factors cover {ends}"
+        return _silent("CEMA", why, f"Use a wrap of {ends}, or set design_standard.friction.")
     # between two rows the factor of the smaller wrap: the table is rounded to steps
     factor = next(value for row, value in reversed(rows) if row <= angle + _ROUNDING)
     return StandardRequirement("CEMA", f"manual take-up, Cw {factor:g}", factor, MANUAL_SOURCE)
 
 
-def _silent(name: str, why: str) -> StandardRequirement:
-    return StandardRequirement(name, "", math.nan, "", why)
+def _silent(name: str, why: str, remedy: str = SET_FRICTION) -> StandardRequirement:
+    return StandardRequirement(name, "", math.nan, "", why, remedy)

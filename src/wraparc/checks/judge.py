@@ -103,6 +103,7 @@ def _drive(result: DriveResult, *others: Owner) -> Iterator[Check]:
     for pulley in drive.pulleys:
         yield of_data.data(drive, pulley)
     yield from of_data.belt_mass(drive)
+    yield from of_drive.reserve(drive)
 
 
 def _across(result: DriveResult) -> Iterator[Check]:

@@ -189,7 +189,7 @@ def pull_against(pulls: Sequence[float]) -> float:
 COVERS_APART, LEAST_SHIFT = 4e-3, 1e-4
 
 
-def trim_shift(first: float, other: float, opposite: bool) -> float:
+def trim_shift(first: Number, other: Number, opposite: bool) -> Number:
     """How far a trim is off for a belt of 10 mm taken without thickness [-].
 
     Parameters
@@ -222,18 +222,6 @@ def largest(column: Buffer, count: int) -> float:
     found = 0.0
     for i in range(count):
         found = max(found, abs(column[i]))
-    return found
-
-
-def steepest(position: Buffer, slip: Buffer, count: int, radius: float, length: float) -> float:
-    """Largest change of the slip per length of arc [-]; nan without a stretch of arc."""
-    found, least = nan, 1e-9 * length
-    for i in range(1, count):
-        step = (position[i] - position[i - 1]) * radius
-        if step > least:
-            change = abs(slip[i] - slip[i - 1]) / step
-            if not change <= found:  # so also where nothing is found yet
-                found = change
     return found
 
 

@@ -95,8 +95,8 @@ def _carried(result: AcrossResult, place: Place) -> Check:
 
 
 #: What to do about a pulley that is too uneven, and about an edge that is too tight.
-UNEVEN_TENSION = "Try a higher T2 or an even face."
-EVEN_EDGE = "Try an even face or a longer transition."
+UNEVEN_TENSION = "Try a higher T2 or an even pulley face."
+EVEN_EDGE = "Try an even pulley face or a longer transition."
 
 
 def _edge(
@@ -205,14 +205,14 @@ def _worst_place(
             source=source,
             headline=headline,
             label=label,
-            action="Try an even face.",
+            action="Try an even pulley face.",
         )
         yield ACROSS_RULES[name].compare(value, limit, place._replace(spot=WORST_STRIP), text)
     yield from _crown(drive, pulley)
 
 
 #: Where an uneven pulley is judged.
-WORST_STRIP = "worst strip"
+WORST_STRIP = "worst face strip"
 
 
 def _crown(drive: Drive, pulley: Pulley) -> Iterator[Check]:
@@ -223,7 +223,7 @@ def _crown(drive: Drive, pulley: Pulley) -> Iterator[Check]:
     on_diameter = 2.0 * shell.crown
     text = CheckText(
         title="Crown",
-        noun="crown",
+        noun="pulley crown",
         source="at most 1/8 in per foot of width for fabric, none for steel cord; customary",
         label="crown",
         headline="Crown {value} is not allowed with steel cord"

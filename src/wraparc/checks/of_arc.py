@@ -15,7 +15,7 @@ from wraparc.arc.sliding import CREEP, MOST, NOT_CARRIED, SLIDES, TESTED, Slidin
 from wraparc.arrays import Number
 from wraparc.checks.check import Amount, Check, Level, Place, escaped
 from wraparc.checks.design_standard import find_requirement
-from wraparc.checks.numbers import balance_miss, required_slack, steepest
+from wraparc.checks.numbers import balance_miss, required_slack
 from wraparc.checks.of_drive import EXTRAPOLATED, LARGER_CREEP, tests_of
 from wraparc.checks.rule import At, CheckText, Rule, Spot, State, idle, not_checked, origin
 from wraparc.drive import CREEP_LIMIT, Criteria, Drive, LoadCase, TakeUp
@@ -41,7 +41,7 @@ FIRST = {
     TESTED: "The end of the tested slip of lagging ⟦lagging⟧ comes first.",
     MOST: "The whole friction of the wrap comes first.",
 }
-TESTED_HEADLINE = "Slip leaves the tested range at {value} times Te, minimum {limit}"
+TESTED_HEADLINE = "Tested friction transmits {value} times Te, minimum {limit}"
 
 
 def no_state(result: ArcResult) -> str:
@@ -136,7 +136,7 @@ def _standard(of: Spot) -> Iterator[Check]:
             place=of.place,
             label="standard not applicable",
             headline=escaped(f"{found.name} does not apply: {found.why_not}"),
-            action="Set design_standard.friction.",
+            action=escaped(found.remedy),
             binding=rule.binding,
         )
         return
@@ -199,7 +199,7 @@ def _creep(of: Spot) -> CheckText:
         else "input",
         label="creep",
         headline="Creep {value} exceeds the {limit} limit",
-        fails="Creep {creep} exceeds {slides}: gross slip",
+        fails="Creep {creep} exceeds the {slides} gross-slip limit",
         full=_allowance(of.drive, limit),
         more={
             "creep": Amount(of.state.found.get("exit_creep", math.nan), "length"),
@@ -235,10 +235,10 @@ def _cover_creep(of: Spot) -> Iterator[Check]:
         noun=noun,
         source="shear of the cover of the belt",
         label="creep with cover",
-        headline="Creep {value} with belt cover exceeds the {limit} limit"
+        headline="Creep {value} with belt cover shear exceeds the {limit} limit"
         if math.isfinite(found)
         else "Gross slip with belt cover in series",
-        action="Give the test belt cover ([test_belt]).",
+        action="State the cover of the tested belt ([test_belt]).",
         full=f"{COVER_UNKNOWN}.",
     )
     yield rule.compare(abs(found), of.state.creep_limit, of.place, text)
@@ -434,13 +434,11 @@ def largest_slip(result: ArcResult) -> float:
 
 def slip_speed(result: ArcResult) -> float:
     """Largest speed of the belt on the lagging along the arc [m/s]; nan without a belt speed."""
-    speed = result.arc.belt_speed
-    if speed is None or len(result.profile) < 2:
+    arc, speed = result.arc, result.arc.belt_speed
+    if speed is None:
         return math.nan
-    profile, arc = result.profile, result.arc
-    position, slip = profile.position.tolist(), profile.slip.tolist()
     pitch = arc.radius + arc.offset  # the shell turns v/pitch under the belt
-    return speed * steepest(position, slip, len(position), pitch, pitch * arc.wrap_angle)
+    return speed * arc.radius / pitch * result.steepest_slip
 
 
 def _balance(of: Spot) -> Iterator[Check]:

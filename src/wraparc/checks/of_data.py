@@ -40,7 +40,7 @@ def _untested(of: Spot, state: str, part: str, used: str, full: str) -> Check:
         source=origin(lagging.sources[part]),
         label=f"not tested {state}",
         headline=escaped(f"{lagging.name} not tested {state}: {used}"),
-        action=f"Test the lagging {escaped(state)}.",
+        action=f"Test lagging {escaped(lagging.name)} {escaped(state)}.",
         full=escaped(full),
         binding=False,
     )
@@ -93,7 +93,8 @@ def data(drive: Drive, pulley: Pulley) -> Check:
     weak += [(kind, "friction", "friction") for kind in grounds if kind in GROUNDS]
     for kind, key, owner in weak_sources(drive, pulley):
         word = key_word(key)
-        sources.setdefault(kind, []).append(f"{word} of {owner}" if owner != word else word)
+        owned = owner == "belt" and word.startswith(owner)
+        sources.setdefault(kind, []).append(word if owned else f"{word} of {owner}")
         weak.append((kind, key, word))
     sentences += [
         f"{kind.capitalize()}: {', '.join(dict.fromkeys(sources[kind]))}."
@@ -114,7 +115,8 @@ def data(drive: Drive, pulley: Pulley) -> Check:
 #: Symbols and words of inputs, in the place of their keys.
 SYMBOLS = {
     "shear_modulus": "G", "compression_modulus": "E_c",
-    "in_plane_shear_stiffness": "in-plane shear stiffness",
+    "in_plane_shear_stiffness": "in-plane shear stiffness", "modulus": "belt modulus",
+    "rating": "belt rating", "least_pulley_diameter": "minimum pulley",
 }  # fmt: skip
 
 

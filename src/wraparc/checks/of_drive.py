@@ -15,7 +15,7 @@ from wraparc.checks.numbers import (
     same_shown,
     trim_shift,
 )
-from wraparc.checks.rule import At, CheckText, Rule, Spot, State, origin
+from wraparc.checks.rule import At, CheckText, Rule, Spot, State, not_checked, origin
 from wraparc.drive import Belt, Drive, LoadCase, Pulley
 from wraparc.drive.pitch import pitch_offset
 from wraparc.drive.pull import idles
@@ -78,7 +78,7 @@ def unknown_trim(first: str, shift: float, opposite: bool, place: Place) -> Chec
         level=BELT_THICKNESS.missed,
         place=place,
         label="trim without belt thickness",
-        headline="Trim uncertain by {shift} %: belt thickness missing",
+        headline="Speed trim uncertain by {shift} %: belt thickness missing",
         action=f"{LAYERS}.",
         full=why,
         more={
@@ -159,7 +159,9 @@ def tension_text(belt: Belt, kind: str, tension: float) -> CheckText:
     rated = belt.rating * belt.width
     action = "Use a belt rated {rated} (now {rating})."
     if momentary and belt.momentary_factor is None:
-        action = "Give momentary_factor {factor} if the maker allows it."
+        action = (
+            "Use a belt rated {rated}, or give momentary_factor {factor} if its maker allows it."
+        )
     needed = tension / (belt.width * factor)
     return CheckText(
         title=title,
@@ -288,7 +290,7 @@ def _on_face(of: Spot) -> CheckText:
 
 
 #: What to do about a pressure, with the diameter that it takes.
-LARGER_PULLEY = "Use a pulley of {larger} (now {diameter})."
+LARGER_PULLEY = "Use pulley diameter {larger} (now {diameter})."
 
 
 def _diameter_for(of: Spot, allowed: float) -> dict[str, Amount]:
@@ -388,7 +390,7 @@ def _bending(of: Spot) -> CheckText:
         source=origin(belt.sources.get("least_pulley_diameter", belt.provenance)),
         label="pulley diameter",
         headline="Pulley diameter {value} is below the belt minimum {limit}",
-        action="Use a pulley of {limit} or more.",
+        action="Use pulley diameter {limit} or more.",
     )
 
 
@@ -465,7 +467,7 @@ def take_up(drive: Drive) -> Iterator[Check]:
         label="take-up tension",
         headline=f"{kind.capitalize()} take-up needs equal {what}: {escaped(str(named[0]))} has "
         f"{{least}}, {escaped(str(named[1]))} has {{most}}",
-        action=f"Set equal {what}, or correct take_up.kind or after.",
+        action=f"Set equal {what}, or correct take_up.kind or take_up.after.",
         full=f"Behind {escaped(other)} the tension is equal in every load case." if other else "",
         more={"least": Amount(tensions[low], "force"), "most": Amount(tensions[high], "force")},
         binding=False,
@@ -508,7 +510,7 @@ def meeting(before: str, leaves: float, after: str, enters: float, place: Place)
         label="tensions differ",
         headline=f"Belt leaves {escaped(before)} at {{leaves}} but enters {escaped(after)} at "
         "{enters}",
-        action="Give equal tensions, or the run's rise {rise}.",
+        action="Give equal tensions, or [train] with a run of {rise}.",
         more={
             "leaves": Amount(leaves, "force"),
             "enters": Amount(enters, "force"),
@@ -521,3 +523,10 @@ def meeting(before: str, leaves: float, after: str, enters: float, place: Place)
 def tests_of(pulley: Pulley) -> str:
     """Return where the tested range of a lagging came from."""
     return f"tests of lagging {pulley.lagging.name}: {origin(pulley.lagging.source_of('law'))}"
+
+
+def reserve(drive: Drive) -> Iterator[Check]:
+    """Yield that the reserve is not checked, where an uncertainty is stated: `solve` finds it."""
+    if drive.states_uncertainty:
+        noun, why = "reserve", "wraparc solve checks stated uncertainties"
+        yield not_checked("reserve", "Reserve", noun, Place(), why=why)

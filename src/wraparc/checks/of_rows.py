@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -14,14 +15,24 @@ from wraparc.arc.quantities import BREAKAWAY, REFUSED, SOLVED, UNSOLVED
 from wraparc.arc.sliding import TESTED
 from wraparc.arc.wrap_arc import of_belt
 from wraparc.arrays import Array, Codes, Flags, Integers
-from wraparc.batch import BatchResult, Setting
+from wraparc.batch import BatchResult, Setting, row
 from wraparc.batch.arcs import Arcs
 from wraparc.batch.scaled import solve_scaled
 from wraparc.batch.sliding import slides_of, wet_creeps
 from wraparc.checks.case_kind import CASE_KIND, named_kind
 from wraparc.checks.check import Level, keeps, margin_to
 from wraparc.checks.design_standard import wrap_factors
-from wraparc.checks.numbers import ALIKE, KIND_STEP, MOST_USED, Sizes, compared_sizes, kind_of
+from wraparc.checks.numbers import (
+    ALIKE,
+    COVERS_APART,
+    KIND_STEP,
+    LEAST_SHIFT,
+    MOST_USED,
+    Sizes,
+    compared_sizes,
+    kind_of,
+    trim_shift,
+)
 from wraparc.checks.of_arc import (
     COVER_CREEP,
     DESIGN_STANDARD,
@@ -30,16 +41,17 @@ from wraparc.checks.of_arc import (
     start_factor,
 )
 from wraparc.checks.of_data import CONDITION, FIT
-from wraparc.checks.of_drive import BELT_THICKNESS, open_shift
+from wraparc.checks.of_drive import BELT_THICKNESS
 from wraparc.checks.of_train import OF_MOTORS
 from wraparc.checks.of_wet import WET_CREEP, estimate_factor
 from wraparc.checks.rule import At, Rule, State
 from wraparc.checks.rules import ACROSS_CHECKS, RULES
 from wraparc.checks.usual import USUAL_RULE, least_margin, sizes_of
-from wraparc.drive import Drive
+from wraparc.drive import Drive, Pulley
 from wraparc.drive.belt_mass import masses_at
 from wraparc.drive.changes import WORN
 from wraparc.drive.conditions import SCALED
+from wraparc.drive.pitch import pitch_offset
 from wraparc.drive.pull import given_up, idle_rows, rises_of
 from wraparc.drive.usual_sizes import USUAL_SIZES, unusual_rows
 
@@ -55,6 +67,10 @@ NOT_CHECKED = (
     "the torque of motors, where the load of a train is not divided anew in every row",
     "opposing drives, sizes of motors, take-ups over load cases",
 )
+#: Where checks that solve arcs anew are made.
+Wanted = Mapping[Rule, Flags]
+#: Those checks.
+SOLVE_ANEW = (GROSS_SLIP, WET_CREEP, COVER_CREEP)
 #: Relative distance within which two numbers may be the same in the digits that are shown.
 _NEAR = 2e-3
 
@@ -81,6 +97,11 @@ class RowCheck:
     margin: Array
     value: Array
     limit: Array
+
+    def rows(self, which: Integers) -> RowCheck:
+        """Return some of the arcs, also several times."""
+        columns = self.rank, self.margin, self.value, self.limit
+        return RowCheck(self.rule, *(column[which] for column in columns))
 
     def is_worse(self, rank: Array | Codes, margin: Array) -> Flags:
         """Return where it is worse than one of that rank and margin; having none is worst."""
@@ -213,6 +234,7 @@ def held_by(
     load_case: str,
     arcs: Arcs,
     tensions: tuple[Array, Array],
+    diameters: Array | None = None,
 ) -> Held:
     """Return what arcs are held against.
 
@@ -226,6 +248,8 @@ def held_by(
         The arcs of the pulley.
     tensions
         Entry and exit tensions of all pulleys, shape (pulleys, n) each [N].
+    diameters
+        Diameters of all pulleys, shape (pulleys, n) [m]; those of the drives unless given.
     """
     entry, leaving = tensions
     names = [p.name for p in drives[0].pulleys]
@@ -261,7 +285,7 @@ def held_by(
         scaled=column(_scaled) > 0.0,
         misfit=column(_misfit) > 0.0,
         misnamed=column(_misnamed) > 0.0,
-        open_trim=_open_trims(drives, which, index, tensions),
+        open_trim=_open_trims(drives, which, index, tensions, diameters),
     )
 
 
@@ -353,16 +377,33 @@ def _joined_states(states: Sequence[State[Array]]) -> State[Array]:
 
 
 def _open_trims(
-    drives: Sequence[Drive], which: Integers, index: int, tensions: tuple[Array, Array]
+    drives: Sequence[Drive],
+    which: Integers,
+    index: int,
+    tensions: tuple[Array, Array],
+    diameters: Array | None,
 ) -> Flags:
     """Whether the trim of a pulley against the first of the driven ones is open."""
     entry, leaving = tensions
     driven = ~idle_rows(entry, leaving).T
     first = driven.argmax(axis=1)
-    shifts = np.array(
-        [[open_shift(d.belt, one, d.pulleys[index]) > 0.0 for one in d.pulleys] for d in drives]
+    if diameters is None:
+        diameters = np.array([[p.diameter for p in d.pulleys] for d in drives])[which].T
+    unknown = np.array(
+        [[_is_unknown(d, one, d.pulleys[index]) for one in d.pulleys] for d in drives]
     )
-    return np.asarray(shifts[which, first] & driven[:, index] & (first != index))
+    sides = np.array([[one.side != d.pulleys[index].side for one in d.pulleys] for d in drives])
+    other = diameters[first, np.arange(len(which))]
+    along = trim_shift(other, diameters[index], False)
+    across = COVERS_APART / (0.5 * np.minimum(other, diameters[index]))
+    shifts = np.where(sides[which, first], across, along) > LEAST_SHIFT
+    there = unknown[which, first] & driven[:, index] & (first != index)
+    return np.asarray(there & shifts)
+
+
+def _is_unknown(drive: Drive, *pulleys: Pulley) -> bool:
+    """Whether the offset of the tension member is not known at some pulleys."""
+    return any(pitch_offset(drive.belt, pulley.side) is None for pulley in pulleys)
 
 
 def _factors(drives: Sequence[Drive], which: Integers, pulley: str, wrap_angle: Array) -> Array:
@@ -451,8 +492,12 @@ def row_checks(
     factors: tuple[Array, Array],
     setting: Setting,
     rules: Sequence[Rule] = OF_ROWS,
+    wanted: Wanted = MappingProxyType({}),
 ) -> Iterator[RowCheck]:
-    """Yield what each rule finds of every arc; parameters as of `worst_of_rows`."""
+    """Yield what each rule finds of every arc; parameters as of `worst_of_rows`.
+
+    `wanted` is where checks that solve arcs anew are made, shape (n,); everywhere unless given.
+    """
     arcs, n = solved.arcs, len(solved.arcs)
     none = np.full(n, math.nan)
     idle = idle_rows(arcs.entry_tension, arcs.exit_tension)
@@ -468,19 +513,20 @@ def row_checks(
     }
     for rule in rules:
         if rule is GROSS_SLIP:
-            yield _gross_slip(solved, held)
+            yield gross_slip_of(solved, held, wanted.get(rule))
         elif rule is DESIGN_STANDARD:
             standard = np.where(idle, none, held.standard)
             yield _compared(rule, held, state.slack, standard)
         elif rule is COVER_CREEP:
-            there = solved.solved & (held.cover_left_out > 0.0)
+            there = solved.solved & (held.cover_left_out > 0.0) & wanted.get(rule, True)
             if there.any():
                 creep = _covered_creep(arcs, held, factors, setting, np.flatnonzero(there))
                 limit = np.where(there, arcs.creep_limit, none)
                 yield _compared(rule, held, creep, limit)
         elif rule is WET_CREEP:
             dry = kept_rows(np.abs(solved["exit_creep"]), arcs.creep_limit, at_most=True)
-            wet = np.where(solved.solved & dry & ~idle, held.wet_factor, none)
+            asked = solved.solved & dry & ~idle & wanted.get(rule, True)
+            wet = np.where(asked, held.wet_factor, none)
             creep = wet_creeps(arcs, wet, factors, setting)
             limit = np.where(wet > 0.0, arcs.creep_limit, none)
             yield _compared(rule, held, creep, limit)
@@ -535,7 +581,7 @@ def _covered_creep(
     some, found = arcs.rows(which), np.full(len(arcs), math.nan)
     covered = replace(some, cover_compliance=some.cover_compliance + held.cover_left_out[which])
     friction, slip = (factor[which] for factor in factors)
-    again = solve_scaled(covered, friction, slip, setting=setting, capacities=False)
+    again = solve_scaled(covered, friction, slip, setting=setting, parts=row.RATIO)
     found[which] = np.where(again.solved, np.abs(again["exit_creep"]), math.inf)
     return found
 
@@ -562,6 +608,20 @@ def _ranks(value: Array, limit: Array, missed: Array, *, at_most: bool) -> tuple
     ranks = np.where(kept, Level.OK.rank, missed)
     margins = np.where(np.isnan(margins), np.where(kept, math.inf, -math.inf), margins)
     return np.where(compared, ranks, 0), np.where(compared, margins, math.inf)
+
+
+def gross_slip_of(solved: BatchResult, held: Held, where: Flags | None = None) -> RowCheck:
+    """Return the safety against gross slip of some arcs, and of those that are not solved."""
+    if where is None or where.all():
+        return _gross_slip(solved, held)
+    which, n = np.flatnonzero(where | ~solved.solved), len(where)
+    found = _gross_slip(solved.rows(which), held.rows(which))
+    columns = np.zeros(n, dtype=found.rank.dtype), np.full(n, math.inf), *np.full((2, n), math.nan)
+    for column, some in zip(
+        columns, (found.rank, found.margin, found.value, found.limit), strict=True
+    ):
+        column[which] = some
+    return RowCheck(GROSS_SLIP, *columns)
 
 
 def _gross_slip(solved: BatchResult, held: Held) -> RowCheck:

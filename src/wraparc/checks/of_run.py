@@ -119,7 +119,7 @@ def _checks(run: RunResult) -> Iterator[Check]:
     slackest = min(_slack_ends(run))
     for pulley, drum in zip(drive.pulleys, run, strict=True):
         spot = _spot(drive, case, pulley, drum, slackest)
-        yield from _creeps(drive, pulley, drum, spot.place, bool(run.event.moves))
+        yield from _creeps(run, drive, pulley, drum, spot.place)
         for rule in OF_PULLEY:
             if rule.of_runs:
                 yield from (_at_peak(check, rule, drum) for check in rule.checks(spot))
@@ -270,10 +270,11 @@ def _end(run: RunResult) -> Iterator[Check]:
         if run.outcome is Outcome.CANCELLED
         else "Give the pulley a backstop or brake."
         if run.outcome is Outcome.TURNED_BACK
-        else "Try a higher T2 or a slower start."
+        else f"{HIGHER} or a slower start."
         if run.event.moves
-        else "Try a higher T2.",
+        else f"{HIGHER}.",
         label="not completed",
+        more={"slack": _slack(run)},
     )
 
 
@@ -302,31 +303,41 @@ def _settled(run: RunResult) -> Iterator[Check]:
 
 
 def _creeps(
-    drive: Drive, pulley: Pulley, drum: DrumHistory, place: Place, moves: bool
+    run: RunResult, drive: Drive, pulley: Pulley, drum: DrumHistory, place: Place
 ) -> Iterator[Check]:
     creep, limit = drum.extremes.creep, drive.creep_limit_of(pulley)
     place = place._replace(time=creep.time)
-    action = SLOWER if moves else ""
+    action, slack = SLOWER if run.event.moves else f"{HIGHER}.", _slack(run)
     if creep.value > max(SLIDES, limit):
-        yield _slides(place, creep.value, action)
+        yield _slides(place, creep.value, action, slack)
     text = CheckText(
         title="Peak creep",
         noun="peak creep",
         label="creep",
         headline="Creep {value} exceeds the {limit} limit",
-        fails="Creep {creep} exceeds {slides}: gross slip",
+        fails="Creep {creep} exceeds the {slides} gross-slip limit",
         action=action,
         full=f"The creep exceeds its limit for {quantity(drum.over_limit, 'time', 2)}.",
-        more={"creep": Amount(creep.value, "length"), "slides": Amount(SLIDES, "length")},
+        more={
+            "creep": Amount(creep.value, "length"),
+            "slides": Amount(SLIDES, "length"),
+            "slack": slack,
+        },
     )
     yield EXIT_CREEP.compare(creep.value, limit, place, text)
 
 
-#: What to do where an event is too fast.
-SLOWER = "Try a slower start."
+#: What to try where an event is too fast, and where nothing is to be slower.
+SLOWER, HIGHER = "Try a slower start.", "Try a higher T2 (now {slack})"
 
 
-def _slides(place: Place, creep: float, action: str) -> Check:
+def _slack(run: RunResult) -> Amount:
+    """Return the slack-side tension that the event begins with [N]."""
+    case = run.station.train.case(run.station.load_case)
+    return Amount(min(case.entry_tension, case.exit_tension), "force", "typed")
+
+
+def _slides(place: Place, creep: float, action: str, slack: Amount) -> Check:
     return Check(
         name=GROSS_SLIP.name,
         title="Gross slip",
@@ -336,7 +347,11 @@ def _slides(place: Place, creep: float, action: str) -> Check:
         label="gross slip",
         headline="Gross slip: creep {creep} exceeds {slides}",
         action=action,
-        more={"creep": Amount(creep, "length"), "slides": Amount(SLIDES, "length")},
+        more={
+            "creep": Amount(creep, "length"),
+            "slides": Amount(SLIDES, "length"),
+            "slack": slack,
+        },
     )
 
 

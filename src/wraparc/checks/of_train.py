@@ -118,7 +118,10 @@ def motor_load(
     power
         Rated power of each motor; nan if unknown [W].
     """
-    action = "Try a slower start." if momentary else "Try torque sharing." if helps else ""
+    more = "motors of {times} times this torque"
+    action = f"Try a slower start, or {more}." if momentary else f"Use {more}."
+    if helps and not momentary:
+        action = f"Try torque sharing, or {more}."
     if math.isfinite(power):
         action = "Use motors of {power} or more."
     text = CheckText(
@@ -132,7 +135,10 @@ def motor_load(
         full=""
         if momentary
         else "Above 115 % no usual service factor covers it (NEMA MG 1-14.37).",
-        more={"power": Amount(power * abs(load) / most, "power", "up")},
+        more={
+            "power": Amount(power * abs(load) / most, "power", "up"),
+            "times": Amount(abs(load) / most, "number", "up"),
+        },
     )
     return (MOMENTARY_LOAD if momentary else MOTOR_LOAD).compare(abs(load), most, place, text)
 
@@ -166,7 +172,7 @@ def operating_point(
         noun="operating point",
         level=Level.FAULT if fault else Level.FAILS,
         label=label,
-        headline=headline,
+        headline="The belt drives the motors: no operating point" if overrun else headline,
         action="Set brakes = true if the drive can brake." if overrun else action,
         full=escaped(reason),
         place=place,
@@ -195,7 +201,7 @@ def not_working(place: Place) -> Iterator[Check]:
 def check_opposing_drives(opposing: float, place: Place, division: Division) -> Check:
     """Check that drives work together: with so much tension they oppose each other [N]."""
     opposes = opposing > 0.0
-    action = "Try torque sharing, or closer speeds (wraparc trim)."
+    action = "Try torque sharing or closer speeds: run wraparc trim."
     if isinstance(division, Shares):
         action = "Give shares above 0 %."
     elif isinstance(division, Pulls):

@@ -71,7 +71,7 @@ def _wet_creep(of: Spot) -> Iterator[Check]:
         source=f"creep limit; wet friction {factor:.3g} of dry, {source}",
         label="wet creep",
         headline="Gross slip when wet (estimated)" if math.isinf(creep) else exceeds,
-        action=f"Test {escaped(lagging.name)} wet.",
+        action=f"Test lagging {escaped(lagging.name)} wet.",
         full=f"Wet friction {factor:.3g} of dry ({escaped(str(source))}). A drive that never runs "
         "wet has covered = true.",
     )

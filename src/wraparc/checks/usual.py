@@ -57,7 +57,32 @@ USUAL: dict[str, dict[str, Ends]] = {
     "SafetyFactors": {"running": (1.05, 6.0), "starting": (1.0, 4.0), "braking": (1.0, 4.0)},
     "Sag": {"spacing": (0.3, 8.0), "line_mass": (1.0, 3000.0), "share": (0.002, 0.05)},
     # of a conveyor of 3 m C is 9.2, and 1.92 of one of 80 m (DIN 22101:2002-08, ISO 5048)
-    "Conveyor": {"length_coefficient": (1.0, 9.5), "start_factor": (1.05, 2.5)},
+    "Conveyor": {
+        "length_coefficient": (1.0, 9.5), "start_factor": (1.05, 2.5),
+        "carry_spacing": (0.3, 6.0), "return_spacing": (0.5, 12.0), "sag_limit": (0.002, 0.05),
+    },
+    "Flight": {
+        "curve_radius": (20.0, 20e3), "friction_factor": (0.01, 0.04),
+        "carry_idler_mass": (1.0, 200.0), "return_idler_mass": (0.5, 100.0),
+        "carry_spacing": (0.3, 6.0), "return_spacing": (0.5, 12.0),
+    },
+    "LoadingPoint": {
+        "capacity": (1.0, 15e3), "material_mass": (0.5, 4000.0), "material_speed": (0.1, 12.0),
+        "skirt_width": (0.1, 4.0), "acceleration_length": (0.1, 30.0), "density": (100.0, 8e3),
+        "belt_friction": (0.2, 1.2), "skirt_friction": (0.2, 1.2),
+    },
+    "Local": {
+        "diameter": (0.1, 3.0), "shaft_diameter": (0.02, 0.8), "wrap_angle": (0.05, 6.3),
+        "mass": (10.0, 20e3), "width": (0.1, 4.0), "thickness": (1e-3, 0.1),
+        "pressure": (3e3, 300e3), "friction": (0.1, 1.2), "length": (0.3, 20e3),
+        "density": (100.0, 8e3), "angle": (0.0017, 0.09), "trough_coefficient": (0.1, 1.0),
+        "force": (10.0, 200e3),
+    },
+    "Travel": {
+        "temperature_range": (2.0, 150.0), "thermal_expansion": (1e-6, 1e-3),
+        "permanent_elongation": (1e-4, 0.05), "splice_length": (0.2, 100.0),
+    },
+    "Cema": {"idler_friction": (1.0, 60.0), "ky": (0.01, 0.05), "other": (10.0, 200e3)},
     "Lagging": {
         "elastic_modulus": (0.3e6, 100e6), "wear_coefficient": (1e-13, 1e-10),
         "belt_energy_share": (0.01, 1.0),
@@ -184,7 +209,7 @@ def _owners(drive: Drive) -> Iterator[Owner]:
     yield Owner(criteria.standard, ("DesignStandard",), "of the design standard")
     yield Owner(criteria.safety, ("SafetyFactors",), "safety factor")
     yield Owner(criteria.sag, ("Sag",), "for the sag of the belt")
-    yield Owner(drive.conveyor, ("Conveyor",), "of the conveyor")
+    yield from _conveyor_owners(drive.conveyor)
     for lagging in drive.laggings:
         of = f"of {lagging.name}"
         yield Owner(lagging, ("Lagging",), of)
@@ -198,6 +223,21 @@ def _owners(drive: Drive) -> Iterator[Owner]:
             yield Owner(pulley.across, ("Across",), of, place)
             yield Owner(pulley.across.before, _NEIGHBOUR, f"before pulley {pulley.name}", place)
             yield Owner(pulley.across.after, _NEIGHBOUR, f"behind pulley {pulley.name}", place)
+
+
+def _conveyor_owners(conveyor: Conveyor | None) -> Iterator[Owner]:
+    """Yield all that a conveyor is described by."""
+    yield Owner(conveyor, ("Conveyor",), "of the conveyor")
+    if conveyor is None:
+        return
+    for flight in conveyor.flights:
+        yield Owner(flight, ("Flight",), f"of flight {flight.name}")
+    for point in conveyor.loadings:
+        yield Owner(point, ("LoadingPoint",), f"of loading point {point.name}")
+    for local in conveyor.locals:
+        yield Owner(local, ("Local",), "of a resistance")
+    yield Owner(conveyor.travel, ("Travel",), "of the take-up travel")
+    yield Owner(conveyor.cema, ("Cema",), "of CEMA")
 
 
 def _of_owner(owner: Owner) -> Iterator[Check]:
@@ -247,7 +287,8 @@ def _law_sizes(lagging: Lagging) -> Iterator[Check]:
 
 
 def owners_of(train: Train) -> Iterator[Owner]:
-    """Yield the motors of a train, or the speeds that its drums are given."""
+    """Yield the motors of a train, or the speeds that its drums are given, and its conveyor."""
+    yield from _conveyor_owners(train.conveyor)
     division = train.cases[0].division
     if isinstance(division, Speeds) and division.absolute:
         for pulley, turns in zip(train.pulleys, division.rotation_speeds, strict=True):
@@ -338,10 +379,11 @@ def unusual(
     least, most = ends
     small = least if least > 0.0 else 0.1 * most  # nothing is meant that is next to nothing
     meant = " or ".join(meant_by(value, dimension, small, most))
-    action = f"Check the unit: {meant}?" if meant else "Check the unit."
+    # named also here: it may stand under a check that this size makes fail
+    action = f"Check the unit of {name}{f': {meant}?' if meant else '.'}"
     if dimension == "number":
         near = next((n for n in (0.1, 10.0, 0.01, 100.0) if least <= n * value <= most), None)
-        action = "Check the number." if near is None else f"Check the number: {near * value:.3g}."
+        action = f"Check {name}{'.' if near is None else f': {near * value:.3g}?'}"
     if name == _WRAP and value > most:
         action = "Give each pulley its own wrap."
     if name in _CHECKED:

@@ -64,6 +64,10 @@ def data_line(weak: tuple[tuple[str, str, str], ...]) -> DataLine:
     return DataLine(tuple(items), text)
 
 
+#: Checks whose limit is by the kind of the load case.
+BY_KIND = ("gross_slip", "design_standard", "belt_tension", "momentary_tension", "belt_safety")
+
+
 @dataclass(frozen=True)
 class Verdict:
     """What a list of checks comes to: its worst.
@@ -81,6 +85,18 @@ class Verdict:
         """The check that decides, see `Check.order`; where all pass the nearest to its limit."""
         judged = [c for c in self.checks if c.level is not Level.NOT_CHECKED]
         return min(judged, key=_order, default=None)
+
+    @property
+    def kind_in_doubt(self) -> Check | None:
+        """The check of the kind of the load case that fails, None where its kind is clear.
+
+        A start that is judged as running needs no stronger belt: it is its kind that is missing.
+        """
+        worst = self.governing
+        if worst is None or not worst.missed or worst.name not in BY_KIND:
+            return None
+        here = (c for c in self.missed if c.name == "case_kind" and c.place.load_case != "")
+        return next((c for c in here if c.place.load_case == worst.place.load_case), None)
 
     @property
     def level(self) -> Level:
@@ -104,15 +120,20 @@ class Verdict:
         worst = self.governing
         if worst is None:
             return "Nothing checked."
-        return worst.text if worst.missed else self._passing(worst)
+        return worst.text if worst.missed else self._passing()
 
-    def _passing(self, closest: Check) -> str:
+    @property
+    def closest(self) -> str:
+        """The check nearest to its limit with both and its place; empty where none compares."""
+        worst = self.governing
+        if worst is None or not math.isfinite(worst.used):
+            return ""
+        return f"{worst.noun or worst.title} {worst.measured}{worst.place.bracket}"
+
+    def _passing(self) -> str:
         count = self.passed
         text = f"All {count} checks pass." if count != 1 else "1 check passes."
-        if not math.isfinite(closest.used):
-            return text
-        what = f"{closest.noun or closest.title} {closest.measured}"
-        return f"{text} Closest: {what}{closest.place.bracket}."
+        return f"{text} Closest: {self.closest}." if self.closest else text
 
     @property
     def also(self) -> tuple[Check, ...]:
@@ -140,8 +161,9 @@ class Verdict:
 
     @cached_property
     def missed(self) -> tuple[Check, ...]:
-        """The checks of `listed` that are missed, the worst first."""
-        return tuple(sorted((c for c in self.listed if c.missed), key=_order))
+        """The checks of `listed` that are missed, the governing one first, then the worst."""
+        missed, worst = (c for c in self.listed if c.missed), self.governing
+        return tuple(sorted(missed, key=lambda check: (check is not worst, *_order(check))))
 
     @property
     def passed(self) -> int:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -15,6 +15,7 @@ from wraparc.drive import Cost, Lagging
 from wraparc.drive.load_case import hours_problems
 from wraparc.errors import Problem, shown
 from wraparc.provenance import Provenance
+from wraparc.schema.problems import place_text
 
 JOULES_PER_KWH = 3.6e6
 
@@ -50,11 +51,11 @@ class Costing:
     Attributes
     ----------
     currency
-        Currency of every price.
+        Currency of the costs.
     years
         Years that are counted.
     laggings
-        Prices by name of the lagging.
+        Prices by name of the lagging, in any currency; see `unpriced`.
     belts
         Prices by name of the belt; empty where the belt costs the same in every design.
     tariff
@@ -72,6 +73,22 @@ class Costing:
     tariff: float | None = None
     hours: Mapping[str, float] = field(default_factory=dict, hash=False)
     face_width: float | None = None
+
+    def unpriced(self, laggings: Iterable[str]) -> dict[str, str]:
+        """Return laggings without a price in this currency, and in which they are priced.
+
+        Parameters
+        ----------
+        laggings
+            Names of the candidates.
+
+        Returns
+        -------
+        The other currency by name, empty where no price is known.
+        """
+        prices = {name: self.laggings.get(name) for name in laggings}
+        others = {n: "" if price is None else price.cost.currency for n, price in prices.items()}
+        return {name: other for name, other in others.items() if other != self.currency}
 
 
 def purchases(years: float, life_years: ArrayLike) -> Array:
@@ -163,34 +180,12 @@ def _price(found: LaggingCost) -> Price:
     return Price(cost=cost, source=found.provenance)
 
 
-def price_problems(costing: Costing, laggings: list[str], belts: list[str]) -> list[Problem]:
-    """Return a problem for every candidate without a price, or priced in another currency."""
-    problems, others = [], dict[str, list[str]]()
-    for name in laggings:
-        price = costing.laggings.get(name)
-        if price is None:
-            problems.append(
-                Problem(
-                    key=f"cost.lagging.{name}",
-                    message=f"lagging {shown(name)} has no cost",
-                    remedy="Give material, installation, area and life_years, or a preset.",
-                )
-            )
-        elif price.cost.currency != costing.currency:
-            others.setdefault(price.cost.currency, []).append(name)
-    problems += [
-        Problem(
-            key="cost.currency",
-            value=shown(costing.currency),
-            message=f"{names[0]}{' and others' if names[1:] else ''} priced in {currency}",
-            remedy=f'Write currency = "{currency}", or give their costs.',
-        )
-        for currency, names in others.items()
-    ]
+def price_problems(costing: Costing, belts: list[str]) -> list[Problem]:
+    """Return a problem for every one of several belts without a price, and for odd costs."""
     missing = [name for name in belts if name not in costing.belts] if len(belts) > 1 else []
-    problems += [
+    problems = [
         Problem(
-            key=f"cost.belt.{name}",
+            key=place_text(("cost", "belt", name)),
             message=f"belt {shown(name)} has no cost",
             remedy="Give price and life_years of every candidate belt.",
         )

@@ -167,7 +167,8 @@ def _costing(record: Record, laggings: Sequence[Lagging], drive: Drive, report: 
     for name in given:
         if name not in names:
             place = ("cost", "lagging", name)
-            report.add(place, "no lagging among the candidates", nearest(name, names))
+            remedy = "" if report.full else nearest(name, names)
+            report.add(place, "no lagging among the candidates", remedy)
     hours = record.get("hours", {})
     check_cases(((name, (*record.place, "hours", name)) for name in hours), drive, report)
     prices = {}

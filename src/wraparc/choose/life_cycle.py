@@ -17,7 +17,10 @@ from wraparc.drive.pitch import turns_an_hour
 
 @dataclass(frozen=True, eq=False)
 class Costs:
-    """Life-cycle cost of every design by part, shape (n,) [currency]."""
+    """Life-cycle cost of every design by part, shape (n,) [currency].
+
+    The parts of the lagging are nan, and not in the total, where one of them has no price.
+    """
 
     lagging: Array
     lagging_least: Array
@@ -28,7 +31,7 @@ class Costs:
     @property
     def total(self) -> Array:
         """Lagging at the middle of its life, belt, energy."""
-        return self.lagging + self.belt + self.energy
+        return np.asarray(np.nan_to_num(self.lagging) + self.belt + self.energy)
 
 
 def _area(search: Search, grid: Grid) -> Array:
@@ -59,9 +62,9 @@ def costs_of(search: Search, grid: Grid, dry: Sequence[Mapping[str, Array]]) -> 
     """Cost of every design; energy by the first condition."""
     c, n = search.costing, len(grid)
     area = _area(search, grid)
-    parts = np.zeros((3, n))
+    parts = np.full((3, n), math.nan)
     life = _lives(search, grid, dry)
-    for place, lagging in enumerate(search.laggings):
+    for place, lagging in enumerate(() if search.unpriced else search.laggings):
         mine = grid.places[0] == place
         cost = c.laggings[lagging.name].cost
         parts[:, mine] = lagging_cost(cost, area[mine], c.years, life[mine])

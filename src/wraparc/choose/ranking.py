@@ -26,7 +26,7 @@ def front(ranking: Integers, cost: Array, other: Array) -> Integers:
 
 def next_dearer(search: Search, grid: Grid, ranking: Integers) -> int | None:
     """Cheapest design of a ranking with a lagging dearer to buy than that of its first."""
-    if not len(ranking):
+    if not len(ranking) or search.unpriced:
         return None
     rate = np.array([_rate(search, lag) for lag in search.laggings])
     lagging = grid.places[0][ranking]

@@ -140,9 +140,7 @@ class Search:
     train: Train | None = None
 
     def __post_init__(self) -> None:
-        problems = price_problems(
-            self.costing, [lag.name for lag in self.laggings], [b.name for b in self.belts]
-        )
+        problems = price_problems(self.costing, [b.name for b in self.belts])
         if self.costing.tariff and any(b.speed is None for b in self.belts):
             message = "needed to price the energy lost to creep"
             problems.append(
@@ -201,6 +199,14 @@ class Search:
     def least_slack(self) -> bool:
         """Whether every design gets the least slack-side tension it can do with."""
         return self.slack_tensions == ()
+
+    @property
+    def unpriced(self) -> dict[str, str]:
+        """Laggings without a price in the currency, and in which they are priced.
+
+        Where there is one, no lagging is in the costs: sums of some parts tell nothing.
+        """
+        return self.costing.unpriced(lagging.name for lagging in self.laggings)
 
     @property
     def is_wet(self) -> bool:

@@ -13,6 +13,7 @@ import click
 
 from wraparc.cli.group import LazyGroup
 from wraparc.cli.pipe import reader_may_leave
+from wraparc.cli.usage import usage_problem
 from wraparc.errors import InputError, MissingExtraError
 from wraparc.version import __version__
 
@@ -63,6 +64,9 @@ def _invoke(arguments: list[str]) -> int:
         with reader_may_leave():
             returned = wraparc.main(args=arguments, prog_name="wraparc", standalone_mode=False)
         return returned if isinstance(returned, int) else 0
+    except click.UsageError as error:
+        click.echo(f"Error: {InputError(usage_problem(error, arguments))}", err=True)
+        return error.exit_code
     except click.ClickException as error:
         error.show()
         return error.exit_code

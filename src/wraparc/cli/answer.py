@@ -23,7 +23,8 @@ PICTURES = (".svg", ".png", ".pdf")
 #: Endings of the files that are written, by option.
 SUFFIXES: dict[str, tuple[str, ...]] = {
     "json": (".json",), "csv": (".csv",), "parquet": (".parquet",), "plot": PICTURES,
-    "map": PICTURES, "report": (".html",), "output": (".toml",), "checkpoint": (".npz",),
+    "map": PICTURES, "tension": PICTURES, "report": (".html",), "output": (".toml",),
+    "checkpoint": (".npz",),
 }  # fmt: skip
 #: What is said of an option of files where a command says nothing of its own.
 _HELP = {
@@ -75,7 +76,7 @@ class Answer:
         """
         own = {f"--{name}": (path, SUFFIXES[name]) for name, path in self.paths.items()}
         check_outputs({**more, **own}, [path for path in inputs if os.path.exists(path)])
-        if any(self.paths.get(name) for name in ("plot", "map", "report")):
+        if any(self.paths.get(name) for name in ("plot", "map", "tension", "report")):
             from wraparc.plot import require_matplotlib
 
             require_matplotlib()
@@ -123,7 +124,7 @@ def answers(
     settings
         Whether values can be put over those of the file: `settings`.
     argument
-        The file that is read.
+        The file that is read; empty where the command says itself which it reads.
     checked
         Whether files are refused here that cannot be written; otherwise the command does it.
     **files
@@ -147,7 +148,7 @@ def answers(
         found: Callable[..., Any] = call
         for option in reversed([units_option, *_settings(settings), *_shown(tables), *_to(files)]):
             found = option(found)
-        return click.argument(argument, type=click.Path())(found)
+        return click.argument(argument, type=click.Path())(found) if argument else found
 
     return decorate
 

@@ -5,7 +5,7 @@ from typing import Any
 import click
 
 from wraparc import catalogue
-from wraparc.answer.catalogue_sheets import belts_sheet, lagging_sheet, laggings_sheet
+from wraparc.answer.catalogue_sheets import belt_sheet, belts_sheet, lagging_sheet, laggings_sheet
 from wraparc.cli.answer import Answer, answers
 from wraparc.cli.options import units_option
 from wraparc.cli.show import Wanted, show
@@ -51,7 +51,9 @@ def lagging(answer: Answer, name: str) -> None:
 
 
 @click.command()
+@click.argument("names", nargs=-1, metavar="[NAME]...")
 @units_option
-def belts(units: System) -> None:
-    """List the belts of the catalogue."""
-    show(belts_sheet(), Wanted(full=True, units=units))
+def belts(names: tuple[str, ...], units: System) -> None:
+    """List the belts of the catalogue, or show belts by NAME: "EP 630/3", "ST 2000"."""
+    rows = [catalogue.belt(name, with_modulus=False) for name in names]
+    show(belt_sheet(rows) if rows else belts_sheet(), Wanted(full=True, units=units))

@@ -1,5 +1,7 @@
 """``wraparc choose``: rank candidates, and say why the others fall out."""
 
+from typing import TYPE_CHECKING
+
 import click
 
 from wraparc.choose.belt_rating import LighterBelt
@@ -8,6 +10,9 @@ from wraparc.cli.answer import Answer, answers
 from wraparc.cli.output import Content
 from wraparc.cli.solve import code_told
 from wraparc.units import System
+
+if TYPE_CHECKING:
+    from wraparc.reserve.of_designs import DesignReserve
 
 
 @click.command()
@@ -19,6 +24,7 @@ from wraparc.units import System
     help="Designs to print at most, with --full.",
 )
 @click.option("--lightest-belt", is_flag=True, help="Also find the lightest belt of the catalogue.")
+@click.option("--by-reserve", is_flag=True, help="List the first 12 by the reserve of the verdict.")
 @answers(
     "ranking",
     "rejected",
@@ -27,7 +33,12 @@ from wraparc.units import System
     plot="Draw cost against creep and T2.",
 )
 def choose(
-    answer: Answer, file: str, settings: tuple[str, ...], rows: int, lightest_belt: bool
+    answer: Answer,
+    file: str,
+    settings: tuple[str, ...],
+    rows: int,
+    lightest_belt: bool,
+    by_reserve: bool,
 ) -> int:
     """Rank the candidates of a choose FILE: lagging, belt, pulley and take-up.
 
@@ -42,8 +53,9 @@ def choose(
     lighter = _lightest(selection) if lightest_belt else None
     answer.write("csv", lambda: choose_csv(selection))
     answer.write("plot", lambda: _picture(selection, answer.units))
-    told = choose_sheet(selection, lighter, rows)
-    answer.give(lambda: told, lambda: choose_document(selection, lighter))
+    reserves = _by_reserve(selection) if by_reserve else ()
+    told = choose_sheet(selection, lighter, rows, reserves)
+    answer.give(lambda: told, lambda: choose_document(selection, lighter, reserves))
     return code_told(told)
 
 
@@ -51,6 +63,12 @@ def _picture(selection: Selection, units: System) -> Content:
     from wraparc.plot.choice import plot_selection
 
     return plot_selection(selection, units).save
+
+
+def _by_reserve(selection: Selection) -> "tuple[DesignReserve, ...]":
+    from wraparc.reserve.of_designs import rank_by_reserve
+
+    return rank_by_reserve(selection)
 
 
 def _lightest(selection: Selection) -> LighterBelt | None:

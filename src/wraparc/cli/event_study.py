@@ -51,7 +51,7 @@ def event_study(
 def _run(asked: EventStudy, path: str, answer: Answer, *, resume: bool) -> int:
     from wraparc.answer.event_study_sheet import event_study_document, event_study_sheet
 
-    with bar(len(asked.designs), "Following") as tell:
+    with bar(len(asked.designs), "Following", unit="designs") as tell:
         rows = run_event_study(asked, path, resume=resume, progress=tell)
     click.echo(f"Wrote {path}", err=True)
     with interrupted(lambda: f"{path} is whole."):

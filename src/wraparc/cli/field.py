@@ -1,6 +1,7 @@
 """``wraparc field``: what a healthy drive shows, when to alarm, how long the lagging lasts."""
 
 from collections.abc import Iterable
+from typing import TYPE_CHECKING
 
 import click
 
@@ -8,7 +9,11 @@ from wraparc.calibrate.on_site import OnSite, on_site
 from wraparc.cli.answer import Answer, answers
 from wraparc.cli.options import load_whole, options, typed
 from wraparc.errors import input_error, placed
+from wraparc.schema.overrides import read_document
 from wraparc.units import parse_number
+
+if TYPE_CHECKING:
+    from wraparc.answer.sheet import Table
 
 
 @click.command()
@@ -27,7 +32,7 @@ from wraparc.units import parse_number
     metavar="LENGTH",
     help="Depth of lagging that may be worn off; half its thickness if left out.",
 )
-@answers("speeds", "levels", "wear", json="")
+@answers("speeds", "levels", "learned", "wear", json="")
 def field(
     answer: Answer,
     file: str,
@@ -59,11 +64,25 @@ def field(
     with options():
         found, source = on_site(whole, name, asked)
     judged, title = judge(whole), drive.title or "Drive"
+    levels = _levels(file, name)
     answer.give(
-        lambda: field_sheet(found, whole_verdict(whole), title, name, source),
+        lambda: field_sheet(found, whole_verdict(whole), title, name, source, levels),
         lambda: field_document(found, judged),
     )
     return exit_code(whole)
+
+
+def _levels(file: str, pulley: str) -> "tuple[Table, ...]":
+    """Return the levels that a drive file has from its logs, of one pulley."""
+    document = read_document(file)
+    if "learned" not in document:
+        return ()
+    from wraparc.answer.learn_sheet import levels_table
+    from wraparc.learn.write import learned_levels
+
+    return tuple(
+        levels_table(own) for own in learned_levels(document, file) if own.pulley == pulley
+    )
 
 
 def _hours(texts: Iterable[str], option: str) -> dict[str, float]:

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 import click
 
 from wraparc.cli.pipe import NoReaderError, has_left
-from wraparc.errors import near
+from wraparc.errors import InputError, Problem, nearest, shown
 
 
 class Command(NamedTuple):
@@ -45,6 +45,9 @@ COMMANDS: dict[str, Command] = {
     "profile": Command(
         "wraparc.cli.profile:profile", "Read a profile measured across a pulley face."
     ),
+    "import": Command(
+        "wraparc.cli.import_table:import_table", "Read load cases from a table of tensions."
+    ),
     "family": Command(
         "wraparc.cli.family:family", "Compare creep along the wrap over tension ratios."
     ),
@@ -53,6 +56,9 @@ COMMANDS: dict[str, Command] = {
     ),
     "calibrate": Command(
         "wraparc.cli.calibrate:calibrate", "Calibrate a lagging to a measured drive."
+    ),
+    "learn": Command(
+        "wraparc.cli.learn:learn", "Learn friction, zero and alarms from a plant's trend logs."
     ),
     "virtual-record": Command(
         "wraparc.cli.calibrate:virtual_record", "Simulate the record of an instrumented pulley."
@@ -64,6 +70,9 @@ COMMANDS: dict[str, Command] = {
     "page": Command("wraparc.cli.page:page", "Write the calculator as one HTML file."),
     "demo": Command("wraparc.cli.demo:demo", "Copy all examples to a folder and solve one."),
 }
+
+
+_ONCE = "Leave all but one out."
 
 
 def _refuse_repeated(ctx: click.Context, args: list[str]) -> None:
@@ -78,12 +87,17 @@ def _refuse_repeated(ctx: click.Context, args: list[str]) -> None:
     keys = [text.partition("=")[0].strip() for text in values.get("settings") or ()]
     for key in keys:
         if keys.count(key) > 1:
-            text = f"--set gives {key} {keys.count(key)} times. Leave all but one out."
-            raise click.UsageError(text, ctx)
+            raise InputError(
+                Problem(
+                    message=f"given {keys.count(key)} times",
+                    remedy=_ONCE,
+                    key=f"--set {shown(key)[1:-1]}",
+                )
+            )
     for option in once:
         if once.count(option) > 1:
-            text = f"{option.opts[0]} is given {once.count(option)} times, and has one value."
-            raise click.UsageError(f"{text} Leave all but one out.", ctx)
+            times = f"given {once.count(option)} times, and has one value"
+            raise InputError(Problem(message=times, remedy=_ONCE, key=option.opts[0]))
 
 
 class LazyGroup(click.Group):
@@ -128,12 +142,13 @@ class LazyGroup(click.Group):
             if command is not None:
                 _refuse_repeated(click.Context(command, ctx, name), rest)
             return name, command, rest
-        except click.UsageError as error:
-            meant = near(args[0], COMMANDS)
-            if args[0] in COMMANDS or not meant:
+        except click.UsageError:
+            if args[0] in COMMANDS or args[0].startswith("-"):
                 raise
-            text = f"No such command {args[0]!r}. Did you mean {' or '.join(meant)}?"
-            raise click.UsageError(text, error.ctx) from None
+            remedy = nearest(args[0], COMMANDS) or "See wraparc --help."
+            raise InputError(
+                Problem(message="no such command", remedy=remedy, value=shown(args[0]))
+            ) from None
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """Write the list of commands without importing any."""

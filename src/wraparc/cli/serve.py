@@ -53,6 +53,7 @@ def serve(
     from wraparc.web.settings import Settings
 
     with private_files():
+        handed_out = bool(token)
         token = _token(host, token, new_token)
         _check_catalogue()
         start, start_text = _start(file)
@@ -60,6 +61,7 @@ def serve(
             host=host,
             port=port,
             token=token,
+            linked=handed_out,
             database=_database(database),
             names=names,
             start=start,

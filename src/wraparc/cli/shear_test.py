@@ -3,7 +3,7 @@
 import os
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -12,6 +12,10 @@ from wraparc.cli.pipe import say
 from wraparc.cli.show import Wanted, show
 from wraparc.errors import InputError, Problem, input_error, shown
 from wraparc.saving import interrupted
+
+if TYPE_CHECKING:
+    from wraparc.answer.sheet import Sheet
+    from wraparc.shear_test import Choices
 
 _DONE, _MISFIT = 0, 1
 
@@ -35,7 +39,7 @@ _DONE, _MISFIT = 0, 1
 @click.option("--sheet", metavar="NAME", help="Sheet of a workbook.")
 @click.option("--table", type=int, metavar="N", help="Which table of the file, from 1.")
 @click.option(
-    "--block", type=int, metavar="N", help="Which of tests side by side, from 1; all if left out."
+    "--block", type=int, metavar="N", help="Which of the tests in a table, from 1; all if left out."
 )
 @click.option(
     "--stress-area", metavar="AREA", help="What a stress was divided by: --stress-area '400 cm2'."
@@ -43,7 +47,7 @@ _DONE, _MISFIT = 0, 1
 def read(
     files: tuple[str, ...], units: tuple[str, ...], stress_area: str | None, **said: Any
 ) -> int:
-    """Read FILES of test machines and show their columns, units, ranges and rows.
+    """Read FILES of test machines, or logs, and show their columns, units, ranges and rows.
 
     Missing information is requested, never guessed.
     """
@@ -59,7 +63,12 @@ def read(
             refuse_toml(file)
             records = read_machine_tests(file, choices)
         except InputError as error:
-            problems += error.problems
+            log = None if problems else _log(file, choices)
+            if log is None:
+                problems += error.problems
+                continue
+            show(log, Wanted(full=True))
+            shown_before = True
             continue
         for record in records:
             if shown_before:
@@ -69,6 +78,23 @@ def read(
     if problems:
         raise InputError(problems)
     return _DONE
+
+
+def _log(file: str, choices: "Choices") -> "Sheet | None":
+    """Return the sheet of a file that is the log of a drive; None where it is none."""
+    from wraparc.answer.log_sheet import log_sheet
+    from wraparc.machine_tables import read_bytes, read_log
+    from wraparc.machine_tables.log_names import are_of_drive
+
+    if choices.travel or choices.force or not os.path.isfile(file):
+        return None
+    try:
+        log = read_log(read_bytes(file), file)
+    except InputError:
+        return None
+    if log is None or not are_of_drive(tag.name for tag in log.tags):
+        return None
+    return log_sheet(log, file)
 
 
 def _area(given: str | None) -> float | None:

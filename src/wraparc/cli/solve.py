@@ -8,10 +8,11 @@ import click
 
 from wraparc.alike import largest
 from wraparc.answer.drive_sheet import drive_sheet, input_sheet
-from wraparc.answer.sheet import Sheet
+from wraparc.answer.reserve_check import judge_uncertain
+from wraparc.answer.sheet import ReserveWanted, Sheet
 from wraparc.arc import Distributed, DriveResult, Method, PaperMarch
 from wraparc.arc import solve as solve_drive
-from wraparc.checks import Level, judge
+from wraparc.checks import Level
 from wraparc.cli.answer import Answer, answers
 from wraparc.cli.options import conditions_option, load_whole, named_conditions, typed
 from wraparc.drive import Drive
@@ -31,11 +32,16 @@ METHODS: dict[str, tuple[type[Method], ...]] = {
 SOLVED, FAILS, FAULT = 0, 1, 3
 
 
+#: Table of what changes the verdict.
+RESERVE = "reserve"
+#: Table of how probable its level is.
+PROBABILITY = "probability"
 #: Tables of a solved drive, and those that only a train has.
 TABLES = (
-    "checks", "least", "cases", "figures", "drives", "conditions", "conveyor", "loads", "width",
-    "strips", "defects", "result", "creep", "capacity", "margins", "constant", "energy", "wear",
-    "life", "inputs",
+    "checks", "least", "cases", "figures", "drives", "conditions", "conveyor",
+    "tensions", "flights", "sag", "curves", "take-up", "standstill", "loads", "width",
+    "strips", RESERVE, PROBABILITY, "defects", "result", "creep", "capacity", "margins", "constant",
+    "energy", "wear", "life", "inputs",
 )  # fmt: skip
 
 
@@ -51,13 +57,16 @@ TABLES = (
 @conditions_option
 @click.option("--creep-limit", metavar="LENGTH", help='Creep accepted on every pulley: "10 mm".')
 @click.option("--all", "everything", is_flag=True, help="Show every arc in full; as --full.")
+@click.option("--no-reserve", is_flag=True, help="Do not seek what changes the verdict: faster.")
+@click.option("--probability", is_flag=True, help="Draw all uncertain inputs: how often it is OK.")
 @click.option("--decimal-comma", is_flag=True, help="CSV with decimal commas and semicolons.")
 @answers(
     *TABLES,
     json="",
     csv="Write the profiles as CSV; - prints them.",
-    plot="",
+    plot="Draw it, or the reserve with --table reserve: .svg, .png or .pdf.",
     map="Draw an uneven pulley over wrap and width: .svg, .png or .pdf.",
+    tension="Draw the belt tension along the conveyor: .svg, .png or .pdf.",
 )
 def solve(
     answer: Answer,
@@ -68,6 +77,8 @@ def solve(
     conditions: str | None,
     creep_limit: str | None,
     everything: bool,
+    no_reserve: bool,
+    probability: bool,
     decimal_comma: bool,
 ) -> int:
     """Check every pulley of a drive FILE in every load case and print the answer.
@@ -79,13 +90,28 @@ def solve(
     results, train = solved(drive, method, load_case, creep_limit, file)
     units = answer.units
     answer.write("csv", lambda: _csv(results, units, decimal_comma))
-    answer.write("plot", lambda: _picture(results, units, train).save)
+    of_reserve = answer.wanted.table == RESERVE and not no_reserve
+    picture = _reserve_picture if of_reserve else _picture
+    answer.write("plot", lambda: picture(results, units, train).save)
     answer.write("map", lambda: _map(results[0], units).save)
+    answer.write("tension", lambda: _tension_picture(drive, units, train).save)
     if everything and not answer.wanted.table:
         answer.wanted = replace(answer.wanted, full=True)
     detailed = answer.whole and (everything or load_case is not None)
-    answer.give(lambda: _sheet(results, detailed, train), lambda: _document(results, train, file))
+    reserve = "" if no_reserve or method == "paper" else _reserve_wanted(answer)
+    probability = (probability or answer.wanted.table == PROBABILITY) and method != "paper"
+    answer.give(
+        lambda: _sheet(results, detailed, train, reserve, probability=probability),
+        lambda: _document(results, train, file, reserve=bool(reserve), probability=probability),
+    )
     return exit_code(results[0] if train is None else train)
+
+
+def _reserve_wanted(answer: Answer) -> ReserveWanted:
+    """Return how much of the reserve is shown: data and its table have that of every input."""
+    if answer.paths["json"] or answer.wanted.full or answer.wanted.table == RESERVE:
+        return "all"
+    return "" if answer.wanted.table else "line"
 
 
 def solved(
@@ -115,11 +141,16 @@ def _solved(drive: Drive, method: type[Method]) -> DriveResult:
 
 
 def _document(
-    results: Sequence[DriveResult], train: "TrainResult | None", file: str
+    results: Sequence[DriveResult],
+    train: "TrainResult | None",
+    file: str,
+    *,
+    reserve: bool,
+    probability: bool,
 ) -> dict[str, Any]:
     from wraparc.answer.document import solved_document
 
-    return solved_document(results, train, file=file)
+    return solved_document(results, train, file=file, reserve=reserve, probability=probability)
 
 
 def _csv(results: Sequence[DriveResult], units: System, decimal_comma: bool) -> str:
@@ -131,7 +162,7 @@ def _csv(results: Sequence[DriveResult], units: System, decimal_comma: bool) -> 
 
 def exit_code(result: "DriveResult | TrainResult") -> int:
     """Return the exit code of a verdict: 0, 1 where it fails, 3 for a fault of the program."""
-    return code_of(judge(result).level)
+    return code_of(judge_uncertain(result).level)
 
 
 def code_told(sheet: Sheet) -> int:
@@ -147,10 +178,14 @@ def code_of(level: Level) -> int:
 
 
 @click.command()
-@answers("checks", "conveyor", "inputs")
+@answers(
+    "checks", "conveyor", "tensions", "flights", "sag", "curves", "take-up", "standstill", "inputs",
+    plot="Draw the belt tension along the conveyor: .svg, .png or .pdf.",
+)  # fmt: skip
 def check(answer: Answer, file: str, settings: tuple[str, ...]) -> int:
     """Validate a drive FILE: report all its errors; solve nothing."""
     read = load_whole(file, overrides=settings)
+    answer.write("plot", lambda: _tension_picture(read, answer.units).save)
     if isinstance(read, Drive):
         answer.give(lambda: input_sheet(read))
         return SOLVED
@@ -160,13 +195,20 @@ def check(answer: Answer, file: str, settings: tuple[str, ...]) -> int:
     return SOLVED
 
 
-def _sheet(results: Sequence[DriveResult], everything: bool, train: "TrainResult | None") -> Sheet:
+def _sheet(
+    results: Sequence[DriveResult],
+    everything: bool,
+    train: "TrainResult | None",
+    reserve: ReserveWanted,
+    *,
+    probability: bool,
+) -> Sheet:
     detail = range(len(results[0])) if everything else None
     if train is None:
-        return drive_sheet(results, detail)
+        return drive_sheet(results, detail, reserve=reserve, probability=probability)
     from wraparc.answer.train_sheet import train_sheet
 
-    return train_sheet(train, detail, results)
+    return train_sheet(train, detail, results, reserve=reserve, probability=probability)
 
 
 def _picture(results: Sequence[DriveResult], units: System, train: "TrainResult | None") -> Any:
@@ -177,6 +219,24 @@ def _picture(results: Sequence[DriveResult], units: System, train: "TrainResult 
     from wraparc.plot.train import plot_train
 
     return plot_train(train, units=units)
+
+
+def _reserve_picture(
+    results: Sequence[DriveResult], units: System, train: "TrainResult | None"
+) -> Any:
+    from wraparc.answer.reserve_words import flips_by_input
+    from wraparc.plot.reserve import Bars, plot_reserve
+
+    found = flips_by_input(results[0] if train is None else train)
+    return plot_reserve([Bars(name, flips) for name, flips in found.items()], units)
+
+
+def _tension_picture(
+    read: "Drive | Train", units: System, result: "TrainResult | None" = None
+) -> Any:
+    from wraparc.plot import plot_conveyor
+
+    return plot_conveyor(read, units, result)
 
 
 def _map(result: DriveResult, units: System) -> Any:

@@ -50,7 +50,9 @@ _DONE = 0
 @click.option(
     "--confirm", type=int, metavar="ROWS", help="Run a large study; its number of rows confirms it."
 )
-@click.option("--dry-run", is_flag=True, help="Check everything and show the size; solve nothing.")
+@click.option(
+    "--dry-run", is_flag=True, help="Check everything, show size and time; solve a sample alone."
+)
 @answers(
     "groups", "together", "convergence", "indices", "alone", "varied", "designs", checked=False,
     json="Write the summary as JSON; - prints it.", plot="Draw the summary.",
@@ -92,9 +94,9 @@ def study(
     path = output or f"{os.path.splitext(os.path.basename(file))[0]}.parquet"
     executor: Executor = executor_named(scheduler) if scheduler else Threads(threads)
     if dry_run:
-        say(_size(asked.study))
+        say(f"{_size(asked.study)} {_time(asked.study, executor)}")
         return _DONE
-    with bar(len(asked.study.plan), "Solving") as tell:
+    with bar(len(asked.study.plan), "Solving", len(asked.study.cases)) as tell:
         how = Run(
             executor=executor,
             part_designs=part,
@@ -119,6 +121,17 @@ def _size(asked: Study) -> str:
         f"{columns} columns, at most {size / 1e6:,.1f} MB, in parts of {part_designs(asked):,} "
         "designs."
     )
+
+
+def _time(asked: Study, executor: Executor) -> str:
+    from wraparc.study.executor import Threads
+    from wraparc.study.run import expected_time
+
+    workers = executor.workers if isinstance(executor, Threads) else 1
+    minutes = expected_time(asked) / 60.0 / workers
+    about = "Less than 0.1" if minutes < 0.1 else f"About {minutes:,.1f}"
+    on = "1 processor" if workers == 1 else f"{workers} processors"
+    return f"{about} minutes on {on}."
 
 
 def _tell(asked: StudyFile, path: str, answer: Answer) -> int:

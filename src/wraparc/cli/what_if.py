@@ -17,7 +17,13 @@ if TYPE_CHECKING:
 
 @click.command("what-if")
 @place_options
-@click.option("--belt", "belts", multiple=True, metavar="NAME", help="A belt of the catalogue.")
+@click.option(
+    "--belt",
+    "belts",
+    multiple=True,
+    metavar="NAME",
+    help="A belt of the catalogue, or a standard name: EP 630/3.",
+)
 @click.option(
     "--other-carcass",
     is_flag=True,

@@ -7,6 +7,7 @@ from wraparc.across import AcrossResult
 from wraparc.arc import ArcResult, DriveResult
 from wraparc.drive import Lagging
 from wraparc.plot.across import plot_across
+from wraparc.plot.conveyor import plot_conveyor
 from wraparc.plot.drive import plot_arc, plot_drive
 from wraparc.plot.lagging import plot_lagging
 from wraparc.plot.picture import SUFFIXES, Picture, require_matplotlib
@@ -20,6 +21,7 @@ __all__ = [
     "plot",
     "plot_across",
     "plot_arc",
+    "plot_conveyor",
     "plot_drive",
     "plot_lagging",
     "plot_matching",

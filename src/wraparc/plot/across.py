@@ -11,7 +11,7 @@ from wraparc.arrays import Array
 from wraparc.errors import input_error, nearest, shown
 from wraparc.friction.interpolation import evaluate, pchip
 from wraparc.glossary import GLOSSARY
-from wraparc.plot.picture import BLUE, GREY, ORANGE, RED, Picture, styled
+from wraparc.plot.picture import BLUE, GREY, ORANGE, RED, Picture, ramp, styled
 from wraparc.units import System, display_unit, in_units
 
 if TYPE_CHECKING:
@@ -97,7 +97,7 @@ def _draw_map(ax: Axes, result: AcrossResult, system: System, name: str) -> Any:
     # the outermost strips reach to the edges
     rows = np.concatenate([[-edge], y, [edge]])
     smooth = np.vstack([smooth[:1], smooth, smooth[-1:]])
-    filled: Any = ax.contourf(even, rows, smooth, levels=_LEVELS, cmap="cividis")
+    filled: Any = ax.contourf(even, rows, smooth, levels=_LEVELS, cmap=ramp())
     lines = ax.contour(even, rows, smooth, levels=filled.levels[::2], colors="white",
                        linewidths=0.5)  # fmt: skip
     ax.clabel(lines, fontsize=7, fmt="%g")

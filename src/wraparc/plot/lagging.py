@@ -10,7 +10,7 @@ from wraparc.arrays import Array
 from wraparc.drive import Lagging
 from wraparc.friction import FrictionLaw, IntegralLog
 from wraparc.glossary import GLOSSARY
-from wraparc.plot.picture import BLUE, ORANGE, RED, Picture, styled
+from wraparc.plot.picture import BLUE, ORANGE, RED, Picture, ramp, styled
 from wraparc.provenance import Kind
 from wraparc.units import System, display, display_unit
 from wraparc.version import __version__
@@ -86,9 +86,7 @@ def _scaled(name: str, system: System) -> tuple[float, str]:
 
 def shades(count: int) -> Array:
     """Return colours from light to dark, apart in print too, shape (count, 4)."""
-    from matplotlib import colormaps
-
-    shades: Array = np.asarray(colormaps["viridis_r"](np.linspace(0.18, 0.98, count)), float)
+    shades: Array = np.asarray(ramp()(np.linspace(0.25, 1.0, count)), float)
     return shades
 
 

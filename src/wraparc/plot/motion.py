@@ -7,7 +7,7 @@ import numpy as np
 from wraparc.glossary import GLOSSARY
 from wraparc.motion.result import RunResult
 from wraparc.motion.vibration import StabilityMap, StabilityResult
-from wraparc.plot.picture import BLUE, GREEN, GREY, ORANGE, RED, Picture, styled
+from wraparc.plot.picture import BLUE, GREEN, GREY, ORANGE, RED, Picture, ramp, styled
 from wraparc.units import System, display_unit
 
 _COLOURS = (BLUE, ORANGE, GREEN, RED, GREY)
@@ -120,7 +120,7 @@ def plot_stability_map(found: StabilityMap) -> Picture:
         axis = figure.subplots()
         x = 100.0 * found.x
         shown = axis.pcolormesh(
-            x, found.inertia, found.pull * 0.05, shading="nearest", cmap="viridis", rasterized=True
+            x, found.inertia, found.pull * 0.05, shading="nearest", cmap=ramp(), rasterized=True
         )
         axis.contourf(
             x, found.inertia, found.growing, levels=[0.5, 100], colors="none", hatches=["xxx"]

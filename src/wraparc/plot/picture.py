@@ -12,6 +12,7 @@ from wraparc.errors import InputError, MissingExtraError
 from wraparc.saving import save_file, saving_problems
 
 if TYPE_CHECKING:
+    from matplotlib.colors import Colormap
     from matplotlib.figure import Figure
     from matplotlib.transforms import Bbox
 
@@ -22,6 +23,9 @@ _EDGE = 0.03  # around what is drawn beyond the figure [in]
 # Lines that are told apart by colour and by dashes; the colours are those of Okabe and Ito,
 # which also the colour-blind tell apart, and differ in lightness when printed grey.
 BLUE, ORANGE, GREEN, RED, GREY = "#0072b2", "#d55e00", "#009e73", "#a50f15", "#666666"
+#: The one ramp of quantities, light for little, as the page has it (`style/frame.css`), and what
+#: exceeds a limit that it ends at.
+RAMP, BEYOND = ("#cfe1f0", "#69a9d8", "#1f66b0", "#47137f"), "#c4680f"
 LINES = ((BLUE, "-"), (ORANGE, "--"), (GREEN, "-."), (RED, ":"), (GREY, "-"))
 _STYLE: dict[str, Any] = {
     "font.family": ["DejaVu Sans", "sans-serif"],
@@ -47,6 +51,14 @@ _STYLE: dict[str, Any] = {
     "svg.hashsalt": "wraparc",
     "pdf.fonttype": 42,
 }
+
+
+def ramp() -> "Colormap":
+    """Return the ramp of quantities as a colour map; over its end lies what exceeds a limit."""
+    from matplotlib.colors import LinearSegmentedColormap
+
+    found = LinearSegmentedColormap.from_list("wraparc", list(RAMP))
+    return found.with_extremes(over=BEYOND)
 
 
 def require_matplotlib() -> None:

@@ -9,9 +9,9 @@ from wraparc.arc import ArcResult
 from wraparc.arrays import Array
 from wraparc.errors import input_error, shown
 from wraparc.glossary import GLOSSARY
-from wraparc.plot.picture import RED
+from wraparc.plot.picture import RED, ramp
 from wraparc.plot.profiles import angles, column, heading, outside_spans
-from wraparc.units import System, display
+from wraparc.units import System, display, display_unit
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -21,7 +21,6 @@ if TYPE_CHECKING:
 _SHELL, _LAGGING, _BELT, _TURN = 0.80, 1.0, 1.05, 0.16
 _STRAND = 1.55
 _INK = "#222222"
-_DARKEST = 0.92
 
 
 def draw_pulley(
@@ -92,9 +91,7 @@ def _draw_body(ax: "Axes") -> None:
 
 
 def _draw_lagging(ax: "Axes", result: ArcResult, system: System, quantity: str) -> None:
-    from matplotlib import colormaps
     from matplotlib.collections import PolyCollection
-    from matplotlib.colors import LinearSegmentedColormap
 
     end = math.degrees(result.arc.wrap_angle)
     edges = np.linspace(0.0, end, 181)
@@ -102,16 +99,23 @@ def _draw_lagging(ax: "Axes", result: ArcResult, system: System, quantity: str) 
     cells = np.stack([inner[:-1], outer[:-1], outer[1:], inner[1:]], axis=1)
     values = np.abs(column(result, quantity, system))
     middle = np.interp(0.5 * (edges[1:] + edges[:-1]), angles(result), values)
-    shades = colormaps["YlOrRd"](np.linspace(0.0, _DARKEST, 256))
-    colours = LinearSegmentedColormap.from_list("warm", list(shades))
-    drawn = PolyCollection(list(cells), array=middle, cmap=colours, edgecolors="face")
-    drawn.set_clim(0.0, max(float(values.max()), 1e-12))
+    drawn = PolyCollection(list(cells), array=middle, cmap=ramp(), edgecolors="face")
+    most = float(values.max())
+    limit = result.arc.creep_limit if quantity == "creep" else 0.0
+    scale = limit / display_unit(GLOSSARY[quantity].dimension, system)[1]
+    drawn.set_clim(0.0, scale if 0.0 < scale < most else max(most, 1e-12))
     drawn.set_linewidth(0.7)
     ax.add_collection(drawn)
     figure = ax.get_figure()
     if figure is not None:
         bar = figure.colorbar(
-            drawn, ax=ax, orientation="horizontal", fraction=0.05, pad=0.02, aspect=32
+            drawn,
+            ax=ax,
+            orientation="horizontal",
+            fraction=0.05,
+            pad=0.02,
+            aspect=32,
+            extend="max" if 0.0 < scale < most else "neither",
         )
         sign = "" if np.all(getattr(result.profile, quantity) >= 0.0) else ", magnitude"
         bar.set_label(f"{heading(quantity, system)}{sign}; the dot marks the peak shear stress")

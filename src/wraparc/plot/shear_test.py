@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from wraparc.arrays import Array, Integers
-from wraparc.plot.picture import BLUE, GREY, ORANGE, RED, Picture, styled
+from wraparc.plot.picture import BLUE, GREY, ORANGE, RED, Picture, ramp, styled
 from wraparc.shear_test.analysis import ConditionResult, TestResult
 from wraparc.shear_test.curve_fit import Z95
 from wraparc.shear_test.derivative import derivative_check
@@ -109,10 +109,8 @@ def _draw_derivatives(ax: "Axes", condition: ConditionResult) -> None:
 
 
 def _shade(condition: ConditionResult, level: int) -> tuple[float, float, float, float]:
-    from matplotlib import colormaps
-
     count = max(int(condition.found.levels.max()), 1)
-    red, green, blue, opacity = colormaps["viridis"](0.9 * level / count)
+    red, green, blue, opacity = ramp()(0.25 + 0.75 * level / count)
     return red, green, blue, opacity
 
 

@@ -7,12 +7,16 @@ from functools import partial
 from wraparc.across import AcrossResult
 from wraparc.alike import place_of_largest
 from wraparc.answer.arc_tables import METHOD_TITLES, belongs, creep_part
+from wraparc.answer.reserve_words import flips_by_input, nearest_text
 from wraparc.answer.sheet import named, started
 from wraparc.arc import ArcResult
 from wraparc.glossary import GLOSSARY
 from wraparc.plot.across import plot_across
 from wraparc.plot.drive import plot_budget, plot_profiles, plot_pulley
 from wraparc.plot.picture import Picture
+from wraparc.plot.reserve import Bars, plot_reserve
+from wraparc.reserve import find_reserve
+from wraparc.train.whole import Whole, by_pulley
 from wraparc.units import System, in_units
 
 
@@ -106,6 +110,18 @@ def profile_drawing(results: Sequence[ArcResult]) -> Drawing:
     if len(results) > 1:
         caption += " Thin and black: the paper's integration."
     return Drawing(partial(plot_profiles, results), caption, alt)
+
+
+def reserve_drawing(result: Whole) -> Drawing | None:
+    """Return the smallest changes of inputs that change the verdict; None where there are none."""
+    bars = [Bars(name, flips) for name, flips in flips_by_input(result).items()]
+    if not bars:
+        return None
+    text = nearest_text(find_reserve(result), by_pulley(result).drive)
+    alt = "A bar from each input to where the verdict changes, its uncertainty as a band behind it."
+    alt += f" The nearest: {text}"
+    caption = "Change of one input at which the verdict is another, and its uncertainty (band)."
+    return Drawing(partial(plot_reserve, bars), caption, alt, 0.75)
 
 
 def across_drawing(result: AcrossResult) -> Drawing:

@@ -13,6 +13,7 @@ from wraparc.answer.checks_table import check_table, checks_summary
 from wraparc.answer.drive_sheet import drive_sheet
 from wraparc.answer.input_tables import input_tables
 from wraparc.answer.inputs import Input, drive_inputs
+from wraparc.answer.reserve_check import judge_uncertain
 from wraparc.answer.sheet import (
     Row,
     Sheet,
@@ -24,7 +25,6 @@ from wraparc.answer.sheet import (
 from wraparc.answer.sources import Sources
 from wraparc.arc import DriveResult
 from wraparc.checks import Verdict as Judgement
-from wraparc.checks import judge
 from wraparc.drive import Drive
 from wraparc.errors import InputError, Problem, name_remedy
 from wraparc.errors import shown as quoted
@@ -35,9 +35,11 @@ from wraparc.render.drawings import (
     budget_drawing,
     profile_drawing,
     pulley_drawing,
+    reserve_drawing,
 )
 from wraparc.render.equations import equations
 from wraparc.render.note_sentences import assumptions, warnings
+from wraparc.train.whole import Whole
 from wraparc.units import GIVEN_DIGITS, System
 from wraparc.version import __version__
 
@@ -58,11 +60,13 @@ _FILLS = 8
 #: arc that governs. What was put in is listed for the whole drive.
 _CHECKS, _RESULTS, _ACROSS, _PUT_IN = "checks", "results", "across", "inputs"
 _PARTS = {
-    "checks": _CHECKS, "least": _CHECKS,
+    "checks": _CHECKS, "least": _CHECKS, "reserve": _CHECKS,
+    "probability": _CHECKS,
     "conditions": _RESULTS, "cases": _RESULTS, "figures": _RESULTS, "drives": _RESULTS,
     "loads": _RESULTS,
     "width": _ACROSS, "strips": _ACROSS, "defects": _ACROSS,
-    "conveyor": _PUT_IN, "inputs": "",
+    "conveyor": _PUT_IN, "tensions": _PUT_IN, "flights": _PUT_IN, "sag": _PUT_IN,
+    "curves": _PUT_IN, "take-up": _PUT_IN, "standstill": _PUT_IN, "inputs": "",
 }  # fmt: skip
 
 
@@ -236,7 +240,7 @@ def compose_note(
         Events that were followed for the note; their checks count in its verdict.
     """
     first, of = results[0], Sources()
-    judged = judge(first if train is None else train)
+    judged = judge_uncertain(first if train is None else train)
     answer = _answer(results, train, of)
     told = cast(Verdict, answer.verdict)
     in_time_sections: tuple[Section, ...] = ()
@@ -252,7 +256,8 @@ def compose_note(
             first.drive,
             Section(
                 "Checks against limits", (checks_summary(judged), *told.sentences),
-                _of(answer, _CHECKS), kind="check",
+                _of(answer, _CHECKS), _reserve_pictures(first if train is None else train),
+                kind="check",
             ),
             Section("Results by load case", tables=_of(answer, _RESULTS)),
             Section(f"Governing arc: {worst}", drawings=_pictures(results)),
@@ -285,10 +290,10 @@ def compose_note(
 def _answer(results: Sequence[DriveResult], train: "TrainResult | None", of: Sources) -> Sheet:
     """Return the full answer, as on the screen."""
     if train is None:
-        return drive_sheet(results, of=of)
+        return drive_sheet(results, of=of, reserve="all", probability=True)
     from wraparc.answer.train_sheet import train_sheet
 
-    return train_sheet(train, pulleys=results, of=of)
+    return train_sheet(train, pulleys=results, of=of, reserve="all", probability=True)
 
 
 def _with_checks(answer: Sheet, judged: Judgement, of: Sources) -> Sheet:
@@ -370,6 +375,12 @@ def _pictures(results: Sequence[DriveResult]) -> tuple[Drawing, ...]:
         solved = tuple(r for r in arcs if r.status.solved)
         pictures += [budget_drawing(solved), profile_drawing(solved)]
     return tuple(pictures)
+
+
+def _reserve_pictures(result: Whole) -> tuple[Drawing, ...]:
+    """Return the reserve of the verdict, where an input changes it."""
+    drawing = reserve_drawing(result)
+    return () if drawing is None else (drawing,)
 
 
 def _across_pictures(result: DriveResult) -> tuple[Drawing, ...]:

@@ -42,7 +42,7 @@ def _(thing: AcrossResult) -> Sheet:
 
 @sheet_of.register
 def _(thing: DriveResult) -> Sheet:
-    return drive_sheet([thing])
+    return drive_sheet([thing], reserve="line")
 
 
 @sheet_of.register
@@ -59,7 +59,7 @@ def _(thing: Lagging) -> Sheet:
 def _(thing: TrainResult) -> Sheet:
     from wraparc.answer.train_sheet import train_sheet
 
-    return train_sheet(thing)
+    return train_sheet(thing, reserve="line")
 
 
 @sheet_of.register
@@ -74,7 +74,18 @@ def html(thing: Any) -> str:
 
 def text(thing: Any, *, full: bool = False) -> str:
     """Return the short answer of a result as text, or all there is to show of it."""
-    return plain_text(shown(sheet_of(thing), "si") if full else _short(thing), _WIDTH)
+    return plain_text(shown(_full(thing), "si") if full else _short(thing), _WIDTH)
+
+
+def _full(thing: Any) -> Sheet:
+    """Return all there is to show of a result: of a verdict the change of every input."""
+    if isinstance(thing, DriveResult):
+        return drive_sheet([thing], reserve="all")
+    if isinstance(thing, TrainResult):
+        from wraparc.answer.train_sheet import train_sheet
+
+        return train_sheet(thing, reserve="all")
+    return sheet_of(thing)
 
 
 def _short(thing: Any) -> Sheet:

@@ -8,9 +8,10 @@ from importlib.resources import files
 from tempfile import TemporaryDirectory
 from typing import Any
 
-from wraparc.errors import InputError, MissingExtraError, Problem
+from wraparc.errors import MissingExtraError
 from wraparc.plot.picture import picture_fonts
 from wraparc.render.drawings import Drawing
+from wraparc.render.lacking import PROBE, boxed, find_lacking
 
 #: Level A of PDF/A-2 and PDF/UA: tagged, every picture and equation told in words.
 STANDARDS = ("a-2a", "ua-1")
@@ -33,12 +34,12 @@ def typeset_pdf(data: dict[str, Any], drawings: Sequence[Drawing], date: str) ->
     date
         When the document says it was made.
 
+    Letters that no font at hand has are boxes with their codes, and a line says so.
+
     Raises
     ------
     MissingExtraError
         If typst or matplotlib is not installed.
-    InputError
-        If a text has letters that no font at hand can show.
     """
     settings = {"format": "pdf", "pdf_standards": list(STANDARDS), "timestamp": _made(date)}
     return bytes(_typeset(data, drawings, settings))
@@ -69,7 +70,9 @@ def _typeset(data: dict[str, Any], drawings: Sequence[Drawing], settings: dict[s
     compile_files: Any = typst.compile
     parts = {f"{n}.svg": d.draw().to_bytes("svg") for n, d in enumerate(drawings)}
     parts["main.typ"] = files("wraparc.render").joinpath("document.typ").read_bytes()
-    parts["data.json"] = json.dumps({**data, "fonts": FONTS}).encode()
+    of_file = {"title": data["title"], "author": data["author"], "description": data["headline"]}
+    data = {**data, "fonts": FONTS, "file": of_file, "letters": ""}
+    parts["data.json"] = json.dumps(data).encode()
     with TemporaryDirectory(prefix="wraparc-fonts-") as folder:
         for face in picture_fonts():
             shutil.copy(face, folder)
@@ -79,13 +82,15 @@ def _typeset(data: dict[str, Any], drawings: Sequence[Drawing], settings: dict[s
         except typst.TypstError as error:
             if _NO_GLYPH not in error.message:
                 raise
-            # a script that the fonts brought along lack: the system may have one
-            try:
-                return compile_files(parts, **settings)
-            except typst.TypstError as error:
-                if _NO_GLYPH not in error.message:
-                    raise
-                raise InputError(_untypeset(error)) from None
+        # a script that the fonts brought along lack: the system may have one
+        try:
+            return compile_files(parts, **settings)
+        except typst.TypstError as error:
+            if _NO_GLYPH not in error.message:
+                raise
+        fonts = {"font_paths": [folder]}
+        lacking = find_lacking(data, parts, lambda probe: compile_files(probe, **fonts, **PROBE))
+        return compile_files(boxed(data, parts, lacking), **settings)
 
 
 def _made(date: str) -> datetime:
@@ -95,10 +100,3 @@ def _made(date: str) -> datetime:
     except ValueError:
         made = datetime.now(UTC)
     return made.replace(microsecond=0, tzinfo=UTC)
-
-
-def _untypeset(error: Any) -> Problem:
-    return Problem(
-        message=f"no accessible PDF is possible: {error.message}",
-        remedy="Use letters of an installed font, or choose .md.",
-    )

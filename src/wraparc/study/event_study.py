@@ -99,8 +99,10 @@ class EventRow:
         Half the swing of the last drum's pull over its mean, in the last quarter of the run [-].
     friction_energy
         Friction work on all laggings [J].
-    pulsates
-        Frequency of a vibration that grows by itself [Hz], 0 where none does.
+    oscillation_frequency
+        Of a vibration that grows by itself [Hz], 0 where none does.
+    used, closest
+        Part of its limit that the governing check uses [-], and its value, limit and place.
     level, label, text
         The worst check, the label of the verdict, and its sentence or why the design was refused.
     """
@@ -111,7 +113,9 @@ class EventRow:
     least_tension: float = math.nan
     swing: float = math.nan
     friction_energy: float = math.nan
-    pulsates: float = math.nan
+    oscillation_frequency: float = math.nan
+    used: float = math.nan
+    closest: str = ""
     level: str = REFUSED
     label: str = "refused"
     text: str = ""
@@ -234,7 +238,9 @@ def _row(values: Sequence[str], run: RunResult, root: complex) -> EventRow:
         least_tension=run.least_tension.value,
         swing=0.5 * float(np.ptp(pull)) / mean if mean > 0.0 else math.nan,
         friction_energy=math.fsum(d.friction_energy for d in run),
-        pulsates=abs(root.imag) / (2.0 * math.pi) if root.real > CALM else 0.0,
+        oscillation_frequency=abs(root.imag) / (2.0 * math.pi) if root.real > CALM else 0.0,
+        used=verdict.governing.used if verdict.governing else math.nan,
+        closest=in_units(verdict.closest),
         level=str(verdict.level),
         label=verdict.label,
         text=in_units(verdict.text),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -14,8 +14,10 @@ from wraparc import catalogue
 from wraparc.batch import BatchResult, Setting
 from wraparc.batch.arcs import COLUMNS
 from wraparc.checks import before
+from wraparc.checks.of_data import weak_inputs
 from wraparc.checks.of_wet import estimate_factor
 from wraparc.checks.rule import At
+from wraparc.checks.verdict import data_line
 from wraparc.drive import DESIGN, Drive, Lagging
 from wraparc.drive.criteria import is_wet
 from wraparc.errors import InputError, name_remedy
@@ -125,6 +127,7 @@ def study_from_document(document: Document, *, file: str = "", folder: str = "")
     setting = Setting(record.get("setting", Setting.ENGINEERING.value))
     source = _source(base, pulley, loads, axes, setting, report)
     report.raise_all()
+    laggings = _laggings(drive.pulley(pulley).lagging, axes)
     study = Study(
         title=record.get("title", "") or drive.title,
         plan=plan,
@@ -135,7 +138,7 @@ def study_from_document(document: Document, *, file: str = "", folder: str = "")
         outputs=tuple(dict.fromkeys((*outputs, *sensitivity))),
         description={"study": _plain(document), "drive": _plain(base)},
         ground=_ground(drive, pulley, loads, known),
-        data_line=before(drive).data.text,
+        data_line=_data_line(drive, laggings),
     )
     return StudyFile(
         study=study,
@@ -144,7 +147,7 @@ def study_from_document(document: Document, *, file: str = "", folder: str = "")
         sensitivity=sensitivity,
         inputs=(file, drive_path),
         remarks=(*_remarks(axes, known), *_left_out(drive, loads), *source.remarks(drive)),
-        sources=tuple(_sources(drive.pulley(pulley).lagging, record, axes, known)),
+        sources=tuple(_sources(laggings, record, known)),
     )
 
 
@@ -242,7 +245,8 @@ def _ground(
     some = f"load case {', '.join(loads)} only" if [*_left_out(drive, loads)] else ""
     against = any(c.name == "take_up" for c in before(drive).checks)
     take_up = "with tensions that its take-up does not fix" if against else ""
-    parts = ("wet not checked" if dry else "", some, take_up)
+    stated = "reserve not checked" if drive.states_uncertainty else ""
+    parts = ("wet not checked" if dry else "", stated, some, take_up)
     return ", ".join(part for part in parts if part)
 
 
@@ -419,18 +423,27 @@ def _remarks(axes: Sequence[tuple[Axis, Place]], conditions: Sequence[Condition]
     ]
 
 
-def _sources(
-    lagging: Lagging,
-    record: Record,
-    axes: Sequence[tuple[Axis, Place]],
-    conditions: Sequence[Condition],
-) -> Iterator[str]:
-    laggings = {lagging.name: lagging}
+def _laggings(own: Lagging, axes: Sequence[tuple[Axis, Place]]) -> tuple[Lagging, ...]:
+    """Return the lagging of the drive file and those of the catalogue that an axis has."""
+    laggings = {own.name: own}
     for axis, place in axes:
         if isinstance(axis, Levels) and not axis.numeric and place[-1] == "lagging":
             found = (_of_catalogue(str(name)) for name in axis.values)
             laggings |= {one.name: one for one in found if one is not None}
-    for one in laggings.values():
+    return tuple(laggings.values())
+
+
+def _data_line(drive: Drive, laggings: Iterable[Lagging]) -> str:
+    """Return the line on the data of all designs: of the drive file and of every lagging."""
+    weak = [item for check in before(drive).checks for item in check.weak]
+    weak += [item for lagging in laggings for item in weak_inputs(lagging)]
+    return data_line(tuple(weak)).text
+
+
+def _sources(
+    laggings: Iterable[Lagging], record: Record, conditions: Sequence[Condition]
+) -> Iterator[str]:
+    for one in laggings:
         yield f"{one.name}, friction: {one.source_of('law')}"
     quiet = Report()
     for table in record["axis"]:

@@ -9,6 +9,7 @@ from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
+from time import process_time
 
 from wraparc.batch import Setting
 from wraparc.errors import InputError, Problem, input_error, shown
@@ -33,6 +34,8 @@ MOST_ROWS = 1_000_000
 #: Rows of a part: a third of a second of work or so, and few enough for little memory.
 PART_ROWS = {Setting.ENGINEERING: 4_096, Setting.PRECISE: 2_048}
 _BYTES_A_NUMBER = 8
+#: Of the sample that tells the time: places in the study, designs at each, and its own most [s].
+_PLACES, _SAMPLES, _MOST_TIME = 4, (8, 136), 2.0
 _PLAN, _WHOLE = "study.json", "whole.tmp"
 
 
@@ -170,6 +173,26 @@ def part_designs(study: Study) -> int:
     """Designs of a part that suit the setting."""
     rows = PART_ROWS[study.setting]
     return max(1, rows // len(study.cases))
+
+
+def expected_time(study: Study) -> float:
+    """Return the processor time that a study takes, about [s].
+
+    That of a sample: designs at `_PLACES` of the study, more at once than at first, so that what
+    does not grow with their number counts once.
+    """
+    total, took = len(study.plan), list[float]()
+    for size in _SAMPLES:
+        each = min(size, max(1, total // _PLACES))
+        begin = process_time()
+        for place in range(min(_PLACES, total)):
+            start = place * total // _PLACES
+            study.solve(start, min(start + each, total))
+        took.append(process_time() - begin)
+        if took[-1] > _MOST_TIME or each < size:
+            return took[-1] * total / (min(_PLACES, total) * each)
+    few, many = _SAMPLES
+    return (took[0] + (took[1] - took[0]) * (total - few) / (many - few)) / _PLACES
 
 
 def _begin(study: Study, folder: Path, how: Run) -> list[Part]:
