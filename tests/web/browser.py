@@ -14,6 +14,7 @@ from typing import Any
 from playwright._impl._sync_base import SyncBase
 from playwright.sync_api import (
     Browser,
+    Error,
     Page,
     ViewportSize,
     expect,
@@ -22,12 +23,16 @@ from playwright.sync_api import (
 
 from web.calculators import PATIENCE, TOKEN, Process, wait_for
 
+#: A load case by its name or its place; None for the one that governs.
+Case = str | int | None
 #: A browser, and the server that it visits.
 Calculator = tuple[Browser, Process]
 
 #: After this long [ms] what a page was to show is taken to be missing.
 _LONG = 120e3
 STUDY = 1e3 * PATIENCE
+#: All that a page requests of its server, but for the proof that it is the one.
+REQUESTS = re.compile(r"/api/v1/(?!same/)")
 #: Most time between two questions of a page, whether its server is there [ms].
 LATER = 5_000
 expect.set_options(timeout=_LONG)  # a busy machine is no fault of the page
@@ -57,7 +62,8 @@ FLAGS = [
 ]  # fmt: skip
 #: What a page compiles ahead on other threads is seldom used: most visits are a few presses.
 _BRIEF = "--js-flags=--single-threaded"
-PAGES = ("drive", "compare", "across", "tests", "train", "events", "study", "saved")
+PAGES = ("drive", "compare", "across", "tests", "logs", "train", "events", "study", "report",
+         "saved")  # fmt: skip
 PHONE: ViewportSize = {"width": 390, "height": 844}
 DESKTOP: ViewportSize = {"width": 1360, "height": 900}
 #: What a page shows once everything it asked for has arrived.
@@ -66,13 +72,15 @@ READY = {
     "compare": "#compare tbody tr",
     "across": "#across [data-stands=fresh] .list li",
     "tests": "#tests .drop",
+    "logs": "#logs .drop",
     "train": "#train .screen[data-stands=fresh]",
     "events": "#events form",
     "study": "#study form",
+    "report": "#report form",
     "saved": "#saved .scroll :is(table, p)",
 }
 #: Views whose whole answer is folded away.
-FOLDED = ("train", "across", "events")
+FOLDED = ("train", "across", "events", "tests")
 _NAMES = (
     "chromium-headless-shell", "chrome-headless-shell", "chromium", "chromium-browser",
     "google-chrome-stable", "google-chrome",
@@ -147,6 +155,8 @@ TABS = {
     **dict.fromkeys(("drive", "train", "across", "events"), "drive"),
     **dict.fromkeys(("compare", "study"), "choose"),
     "tests": "measure",
+    "logs": "measure",
+    "report": "report",
 }
 
 
@@ -155,9 +165,60 @@ def unsigned(text: str) -> str:
     return re.sub("^[✓▲✕] ", "", text)
 
 
+def unfold_plan(page: Page) -> None:
+    """Open the form of lagging, rig and fit, which is folded where tests have its place."""
+    page.locator("#tests .plan details").evaluate_all("all => all.forEach((e) => (e.open = true))")
+
+
+def choose_test(page: Page, name: str) -> None:
+    """Unfold what is said of a test file."""
+    page.locator("#tests .rows-of").get_by_text(name, exact=True).click()
+
+
 def ask_now(page: Page) -> None:
     """Have the server asked at once, unless the page has done so by itself meanwhile."""
     page.get_by_role("button", name="Calculate").evaluate_all("all => all.map((e) => e.click())")
+
+
+def evaluated(page: Page, script: str, argument: Any = None) -> Any:
+    """Evaluate what imports a module of the page, and may be done twice.
+
+    Chromium now and then loses the promise of an import, so that it never comes to an end.
+    """
+    try:
+        return page.evaluate(script, argument)
+    except Error as error:
+        if "garbage collected" not in str(error):
+            raise
+        return page.evaluate(script, argument)
+
+
+def show_case(page: Page, case: Case = 0) -> None:
+    """Look at a load case of a design on the page, if it has it: by its name or its place.
+
+    None leaves the one that the page has chosen, which governs.
+    """
+    if case is not None and evaluated(page, SHOW_CASE, case):
+        page.wait_for_selector("#drive .screen[data-stands=fresh]", state="attached")
+
+
+#: Chooses a load case; on a page of one file by its chip, which leaves the focus where it is.
+SHOW_CASE = """async (which) => {
+  if (location.protocol === "file:") {
+    const chips = [...document.querySelectorAll("#cases .chip")];
+    const named = (e) => e.querySelector("span")?.textContent.split(":")[0] === which;
+    const chip = typeof which === "number" ? chips[which] : chips.find(named);
+    if (!chip || chip.getAttribute("aria-pressed") === "true") return false;
+    chip.click();
+    return true;
+  }
+  const { app, caseNames, look } = await import("/static/main.js");
+  const names = caseNames(app.doc);
+  const name = typeof which === "number" ? names[which] : which;
+  if (!names.includes(name) || app.case === name) return false;
+  look({ case: name });
+  return true;
+}"""
 
 
 def turn(page: Page, name: str) -> None:
@@ -254,15 +315,17 @@ class Visitor:
                 page.close()
         _LEFT[self._kind] = self._empty
 
-    def open(self, name: str = "drive", *, unfold: bool | None = None) -> Page:
+    def open(self, name: str = "drive", *, unfold: bool | None = None, case: Case = 0) -> Page:
         """Go to a page as a user does, and wait until it shows what it has to.
 
-        What is folded away of the drive is unfolded if that is where to go, or if told so.
+        What is folded away of the drive is unfolded if that is where to go, or if told so. Of the
+        drive to begin with the load case `case` is looked at.
         """
         if self.page.url == "about:blank":
             page, mark, design = self.address.partition("#")
             self.page.goto(f"{page}?token={TOKEN}{mark}{design}")
             self.page.wait_for_selector(READY["drive"])
+            show_case(self.page, case)
             if name == "drive" if unfold is None else unfold:
                 self.unfold()
         if not self.page.locator(f"#{name}").is_visible():
@@ -281,21 +344,22 @@ class Visitor:
         )
         self.page.wait_for_selector("#details .details")
 
-    def anew(self, opening: Callable[[], None]) -> None:
-        """Open a design in some way, and wait until it is there."""
+    def anew(self, opening: Callable[[], None], case: Case = 0) -> None:
+        """Open a design in some way, wait until it is there, and look at a load case of it."""
         opened = "import('/static/main.js').then((m) => m.app.opened)"
-        before = self.page.evaluate(opened)
+        before = evaluated(self.page, opened)
         opening()
-        wait_for(lambda: self.page.evaluate(opened) > before)
+        wait_for(lambda: evaluated(self.page, opened) > before)
+        show_case(self.page, case)
 
-    def example(self, title: str) -> None:
-        """Open an example from the menu, which comes from the server."""
+    def example(self, title: str, case: Case = 0) -> None:
+        """Open an example from the menu, which comes from the server, and look at a load case."""
 
         def chosen() -> None:
             self.page.click("#file > summary")
             self.page.get_by_role("button", name=title, exact=True).click()
 
-        self.anew(chosen)
+        self.anew(chosen, case)
 
     def load(self, file: Path) -> None:
         """Open a file from the menu."""

@@ -94,6 +94,12 @@ class Process:
         except urllib.error.HTTPError as error:
             return Answer(error.code, error.read(), error.headers)
 
+    def start_token(self) -> str:
+        """Return the token of this start, as a page is given it."""
+        address = f"http://127.0.0.1:{self.port}/?token={TOKEN}"
+        with urllib.request.urlopen(address, timeout=PATIENCE) as answer:
+            return str(answer.url).partition("token=")[2]
+
     def kill(self) -> None:
         """End it at once, with everything it started."""
         with contextlib.suppress(ProcessLookupError):

@@ -50,10 +50,10 @@ globalThis.document = {
 const { app } = await import("../../src/wraparc/web/static/base/design.js");
 const { Budget } = await import("../../src/wraparc/web/static/plots/budget.js");
 const { Chart } = await import("../../src/wraparc/web/static/plots/chart.js");
-const { MovingPulley } = await import("../../src/wraparc/web/static/plots/moving.js");
+const { MovingStage } = await import("../../src/wraparc/web/static/plots/moving.js");
 const { named } = await import("../../src/wraparc/web/static/plots/named.js");
-const { Pulley } = await import("../../src/wraparc/web/static/plots/pulley.js");
-const { roundStep, ticks, warm } = await import("../../src/wraparc/web/static/plots/svg.js");
+const { roundStep, ticks } = await import("../../src/wraparc/web/static/plots/svg.js");
+const { colour } = await import("../../src/wraparc/web/static/plots/ramp.js");
 const { chain } = await import("../../src/wraparc/web/static/pages/train/chain.js");
 const { Spreads } = await import("../../src/wraparc/web/static/pages/study/spread.js");
 
@@ -87,25 +87,10 @@ function chartOf({ width, look, data, picks = [], cursor, names }) {
     axis: chart.back.children.map(of),
   };
 }
-function pulleyOf({ data, cursor, turn, radius }) {
-  const pulley = turn ? new MovingPulley(box(300), radius) : new Pulley(box(300));
-  pulley.draw(data);
-  pulley.at(cursor ?? 0);
-  if (turn) pulley.turn(...turn);
-  return {
-    cells: pulley.cells.map(of),
-    zones: pulley.zones.children.map(of),
-    peak: of(pulley.peak),
-    pulls: pulley.pulls.map(of),
-    ways: pulley.ways.map(of),
-    texts: pulley.texts.map(of),
-    nip_texts: pulley.nipTexts.map(of),
-    hand: of(pulley.hand),
-    height: of(pulley.height),
-    nips: of(pulley.nips),
-    marks: turn && of(pulley.marks),
-    spoke: turn && of(pulley.spoke),
-  };
+function stageOf({ turn, radius }) {
+  const stage = new MovingStage(box(300), radius);
+  stage.turn(...turn);
+  return { marks: of(stage.dashes), spoke: of(stage.spoke) };
 }
 function budgetOf({ width, bars, limit }) {
   const budget = new Budget(box(0), box(width), "Creep");
@@ -129,14 +114,14 @@ const flat = (v) =>
 const inner = (v) => [v.props.children].flat(9).flatMap(flat);
 const texts = (v) => [v.props.children].flat(9).filter((c) => typeof c === "string").join("");
 
-const DRAWN = { chart: chartOf, pulley: pulleyOf, budget: budgetOf, spread: spreadOf };
+const DRAWN = { chart: chartOf, stage: stageOf, budget: budgetOf, spread: spreadOf };
 const { readFileSync } = await import("node:fs");
 const cases = JSON.parse(readFileSync(0, "utf-8"));
 const found = cases.map(({ kind, ...asked }) => {
   if (kind === "train") return flat(chain(asked.load_case, new Map()));
   if (kind === "steps") return asked.spans.map(([span, most]) => roundStep(span, most));
   if (kind === "ticks") return asked.of.map(([lo, hi, step]) => ticks(lo, hi, step));
-  if (kind === "warm") return asked.of.map(warm);
+  if (kind === "ramp") return asked.of.map(colour);
   return DRAWN[kind](asked);
 });
 process.stdout.write(JSON.stringify(found));

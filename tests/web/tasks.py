@@ -22,6 +22,14 @@ def held(file: str) -> str:
     return "held"
 
 
+def works(folder: str, file: str) -> str:
+    """Use the processor until a file is there."""
+    note(folder)
+    while not Path(file).exists():
+        sum(range(10_000))
+    return "worked"
+
+
 def noted_and_held(folder: str, file: str) -> None:
     note(folder)
     held(file)

@@ -18,6 +18,8 @@ from wraparc.web.database import store
 from wraparc.web.errors import PROBLEM_JSON, Problems
 from wraparc.web.routes import pages, studies
 
+pytestmark = pytest.mark.usefixtures("solved_once")
+
 
 @pytest.fixture(scope="module")
 def api() -> Iterator[TestClient]:

@@ -141,6 +141,39 @@ def test_drives_of_any_choice_are_judged_as_by_the_program() -> None:
     assert refused > 3
 
 
+#: Belts by their standard names, some with a slip or a fibre that is not told.
+NAMED_BELTS: list[Data] = [
+    {"name": "EP 630/3 5+2"}, {"preset": "DIN 22102 AB 1000 EP 630/4 6/2 Y"},
+    {"preset": "ST 2000 8+6", "rating": "280 kN/m"}, {"preset": "330 PIW 3 ply 3/16x1/16"},
+    {"name": "NN 500/4", "elongation": "2,5 % bei 10 %"}, {"preset": "ST 7500"},
+    {"name": "EP 630/3 5+2", "thickness": "11 mm"}, {"preset": "st-1000", "cord_diameter": "4 mm"},
+    {"preset": "P 500/3", "modulus": "3000 kN/m"}, {"name": "P 500/3"}, {"name": "EP 6300/3"},
+    {"preset": "ST 1OOO"}, {"name": "EP 630/3", "elongation": "1.5 %"}, {"preset": "EP 630/3 60+3"},
+    {"name": "own", "elongation": "1.5 % at 10 %"}, {"name": "EP 630/3", "modulus": "6300 kN/m"},
+]  # fmt: skip
+
+
+def test_belts_by_their_standard_names_are_read_as_by_the_program() -> None:
+    shipped = deepcopy(SHIPPED["head-drive-fabric"])
+    sizes = {"width": "1200 mm", "speed": "3 m/s"}
+    documents = [{**shipped, "belt": {**belt, **sizes}} for belt in NAMED_BELTS]
+    wrong: dict[int, Any] = {}
+    refused = 0
+    for i, (document, found) in enumerate(zip(documents, assembled(documents), strict=True)):
+        try:
+            expected = told(document)
+        except InputError as error:
+            refused += 1
+            if [p["sentence"] for p in found["problems"]] != list(map(str, error.problems)):
+                wrong[i] = str(error), found["problems"]
+            continue
+        different = found["problems"] or apart(expected, found)
+        if different:
+            wrong[i] = different, document
+    assert wrong == {}
+    assert refused == 6
+
+
 #: Values that no drive has, by the place that both tell.
 WRONG: list[tuple[str, Any]] = [
     ("pulley.head.diameter", "0 mm"), ("pulley.head.diameter", "800"), ("belt.width", "12 kN"),

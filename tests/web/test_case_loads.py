@@ -1,6 +1,7 @@
 """The section Load of the drive page: it shows and changes the load case that is shown."""
 
 import base64
+import contextlib
 import json
 import zlib
 from pathlib import Path
@@ -10,14 +11,17 @@ import pytest
 from playwright.sync_api import Locator, Page, expect
 
 from cli.running import wraparc
-from web.browser import Calculator, Visitor
+from web.browser import Calculator, Visitor, show_case
 from web.calculators import client
 from web.test_advice import downloaded
 from web.test_api import post
 from web.test_inputs import kept
 from web.test_pages import in_the_address
 from worded import worded
+from wraparc.errors import InputError
 from wraparc.schema.source import parse
+from wraparc.train import Train
+from wraparc.train.file import load_drive_or_train
 from wraparc.units import System
 
 pytestmark = pytest.mark.usefixtures("solved_once")
@@ -36,13 +40,23 @@ def visitor(long_visit: Visitor) -> Visitor:
     return long_visit
 
 
-def opened(visitor: Visitor, folder: Path, text: str) -> Page:
+def opened(visitor: Visitor, folder: Path, text: str, *, governing: bool = False) -> Page:
+    """Open a drive file, and look at the load case that governs, or that the program means."""
     file = folder / "before.toml"
     file.write_text(text, "utf-8")
-    visitor.anew(lambda: visitor.load(file))
+    visitor.anew(lambda: visitor.load(file), None)
+    if not governing:
+        with contextlib.suppress(InputError):
+            show_case(visitor.page, meant(file))
     visitor.unfold()
     visitor.solved()
     return visitor.page
+
+
+def meant(file: Path) -> str:
+    """Return the load case that the program means where none is named."""
+    found = load_drive_or_train(file)
+    return found.case().name if isinstance(found, Train) else found.load_case().name
 
 
 def look(page: Page, case: str) -> Locator:
@@ -265,12 +279,14 @@ EMPTY_FIRST = HEAD.replace('entry_tension = "150 kN"       # T1\n', "").replace(
 )
 
 
-def test_the_case_that_is_meant_is_looked_at(
+def test_the_case_that_governs_is_looked_at_and_the_chosen_one_stays(
     visitor: Visitor, calculator: Calculator, tmp_path: Path
 ) -> None:
-    # where none is named that is the running one of the largest pull: `Drive.load_case`, by hand
-    page = opened(visitor, tmp_path, EMPTY_FIRST)
+    # where none is named that is the start, which creeps most
+    page = opened(visitor, tmp_path, EMPTY_FIRST, governing=True)
     pressed = page.locator("#cases [aria-pressed=true]")
+    expect(pressed).to_contain_text("start")
+    show_case(page, "full")
     expect(pressed).to_contain_text("full")
     t1 = page.locator("#f-load_case-1-pulley-head-entry_tension")
     expect(t1).to_have_value("150")
@@ -283,8 +299,8 @@ def test_the_case_that_is_meant_is_looked_at(
     packer = zlib.compressobj(wbits=-15)
     told = base64.urlsafe_b64encode(packer.compress(link.encode()) + packer.flush()).decode()
     other = Visitor(calculator[0], f"{page.url.partition('#')[0]}#/drive/{told.rstrip('=')}")
-    other.open("drive")
-    expect(other.page.locator("#cases [aria-pressed=true]")).to_contain_text("full")
+    other.open("drive", case=None)
+    expect(other.page.locator("#cases [aria-pressed=true]")).to_contain_text("start")
     other.close()
 
 

@@ -12,7 +12,7 @@ from typing import Any
 from playwright.sync_api import Locator, Page, expect
 
 from cli.running import wraparc
-from web.browser import PHONE, Calculator, Visitor
+from web.browser import PHONE, REQUESTS, Calculator, Visitor
 from web.calculators import document, wait_for
 from web.test_standing import take
 from wraparc.drive.conditions import covered
@@ -142,7 +142,7 @@ def test_switch_of_the_condition_is_answered_without_the_server(
     before = kept(page)
     assert "condition" not in before
     says(page, "dry")
-    page.route("**/api/v1/**", lambda route: None)
+    page.route(REQUESTS, lambda route: None)
     turn(page, "wet")
     wait_for(lambda: page.evaluate(JUDGED))
     visitor.painted()

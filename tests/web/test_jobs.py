@@ -4,6 +4,7 @@ import asyncio
 import io
 import json
 import tomllib
+import urllib.request
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -59,6 +60,11 @@ def test_a_study_has_the_numbers_of_the_command_line(server: Process, tmp_path: 
     assert picture.headers["content-type"] == "image/svg+xml"
     assert b"<svg" in picture.body
     assert server.ask(f"{path}/files/results.parquet").body.startswith(b"PAR1")
+    href = server.ask(f"{path}/files/results.parquet/link", {}).json()["href"]
+    with urllib.request.urlopen(f"http://127.0.0.1:{server.port}{href}") as answer:
+        assert answer.read().startswith(b"PAR1")
+    assert server.ask(href).status == 404  # it was used
+    assert server.ask(f"{path}/files/passwd/link", {}).status == 404
     assert server.ask(f"{path}/files/passwd").status == 404
     assert server.ask(f"{path}/pictures/passwd").status == 404
     assert server.ask(path, method="DELETE").status == 204
@@ -265,7 +271,7 @@ def test_tests_side_by_side_and_files_beyond_a_test(api: TestClient) -> None:
     said = {"choices": {"block": 2, "stroke": "last"}}
     told = api.put(f"{place}/files/{first['id']}", json=said).json()
     assert told["preview"]["force"][-1] == 8.0 * 99
-    assert "test 2 of 2 side by side" in told["place"]
+    assert "test 2 of 2 in its table" in told["place"]
     wrong = api.put(f"{place}/files/{first['id']}", json={"choices": {"stroke": "middle"}}).json()
     assert "stroke" in wrong["problems"][0]["path"]
 

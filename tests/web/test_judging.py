@@ -239,7 +239,7 @@ def test_a_creep_of_ten_customary_limits_fails_on_the_page() -> None:
     verdict = there["si"]["verdict"]
     assert (verdict["level"], verdict["text"]) == (expected[0], expected[2])
     assert expected[0] == "FAILS"
-    assert "exceeds 63.5 mm: gross slip" in expected[2]
+    assert "exceeds the 63.5 mm gross-slip limit" in expected[2]
 
 
 #: Drives whose least tension is set by creep, by gross slip, by nothing that there is.

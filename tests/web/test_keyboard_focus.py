@@ -3,7 +3,7 @@
 import pytest
 from playwright.sync_api import Locator, Page, Route, expect
 
-from web.browser import Calculator, Visitor
+from web.browser import Calculator, Visitor, choose_test
 from web.calculators import wait_for
 from web.test_pages_events import minutes
 from web.test_pages_looks import used
@@ -33,7 +33,7 @@ def at(page: Page) -> str:
 
 #: Buttons that are gone, or of no use, once pressed: page, button, where the focus is then.
 GONE = (
-    ("drive", "Use lagging full-ceramic and wrap 223 deg.", "verdict"),
+    ("drive", "Use lagging full-ceramic and wrap 223 deg (now 180 deg).", "verdict"),
     ("drive", "Pin this design", "Along the wrap"),
     ("train", "Find the trim limits", "train-verdict"),
     ("saved", "Open Head drive, ROM conveyor", "drive-title"),
@@ -104,7 +104,7 @@ def test_focus_stays_when_a_study_is_cancelled_and_forgotten(visitor: Visitor) -
     page.get_by_role("button", name="Start the study").click()
     job = page.locator("#study .job[aria-label=Left]")
     pressed(job.get_by_role("button", name="Cancel"))
-    forget = job.get_by_role("button", name="Forget")
+    forget = job.get_by_role("button", name="Delete")
     expect(forget).to_be_focused()
     page.keyboard.press("Enter")
     expect(job).to_have_count(0)
@@ -114,6 +114,7 @@ def test_focus_stays_when_a_study_is_cancelled_and_forgotten(visitor: Visitor) -
 def test_focus_stays_while_the_pressure_of_a_test_is_typed(visitor: Visitor) -> None:
     page = visitor.open("tests")
     page.set_input_files("#test-files", FILES)
+    choose_test(page, FILES[1].name)
     box = page.get_by_label(f"Set pressure of {FILES[1].name}")
     expect(box).not_to_have_value("")
     held: list[Route] = []

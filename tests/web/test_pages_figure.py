@@ -33,7 +33,7 @@ LISTEN = """() => {
   window.bodies = [];
   const usual = window.fetch;
   window.fetch = (url, how) => {
-    if (how && how.method !== "GET") bodies.push(new Response(how.body).text());
+    if ((how?.method ?? "GET") !== "GET") bodies.push(new Response(how.body).text());
     return usual(url, how);
   };
 }"""
@@ -348,7 +348,7 @@ def points(p: float, n: int = 14) -> list[list[float]]:
 
 def test_the_file_of_a_digitiser_is_dropped_named_and_fitted(page: Page, tmp_path: Path) -> None:
     """Two curves that their names do not tell the pressure of."""
-    page.get_by_role("form").get_by_text("Tests", exact=True).click()
+    page.locator("#tests > .sub").get_by_text("Tests", exact=True).click()
     sets = [
         {"name": n, "data": points(p)}
         for n, p in zip(("Curve1", "Curve2", "690 kPa"), PRESSURES, strict=True)
@@ -379,7 +379,7 @@ def test_the_file_of_a_digitiser_is_dropped_named_and_fitted(page: Page, tmp_pat
 def test_a_file_of_a_digitiser_is_told_from_one_of_a_machine(
     page: Page, head: str, figure: bool
 ) -> None:
-    page.get_by_role("form").get_by_text("Tests", exact=True).click()
+    page.locator("#tests > .sub").get_by_text("Tests", exact=True).click()
     rows = "\n".join(f"{a},{b},{b / 2}" for a, b in points(34.0))
     file = {"name": "p.csv", "mimeType": "text/csv", "buffer": f"{head}\n{rows}".encode()}
     page.set_input_files("#test-files", file)  # type: ignore[arg-type]
@@ -449,7 +449,7 @@ def test_the_next_picture_keeps_the_points_of_the_last(page: Page) -> None:
     say(page)
     fit(page)
     page.get_by_role("button", name=USE).wait_for()
-    rows = page.locator("#tests .grid-table tbody th[scope=row]")
+    rows = page.locator("#tests .rows-of .name")
     assert {"fig3.json", "fig3-2.json"} <= set(rows.all_inner_texts())
 
 

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Locator, Page, Request, Route, expect
 
-from web.browser import Visitor
+from web.browser import Visitor, choose_test, unfold_plan
 from web.calculators import wait_for
 from wraparc.cli.demo import examples_folder
 
@@ -77,6 +77,7 @@ def test_a_range_of_the_residuals_is_looked_at_closely(page: Page) -> None:
 
 def test_a_test_is_left_out_with_its_reason_and_taken_back(page: Page) -> None:
     name = FILES[2].name
+    choose_test(page, name)
     page.get_by_role("checkbox", name=f"Use {name}").uncheck()
     why = page.get_by_role("textbox", name=f"Why not to use of {name}")
     page.get_by_role("button", name=FIT).click()
@@ -98,7 +99,8 @@ def test_the_fit_waits_for_all_that_was_said(visitor: Visitor) -> None:
     page.route("**/tests/*/files/*", lambda route: held.append(route))  # noqa: PLW0108
     fits: list[Request] = []
     page.on("request", lambda r: fits.append(r) if r.url.endswith("/fit") else None)
-    page.set_input_files("#test-files", FILES)  # the names of all four tell the pressure
+    page.set_input_files("#test-files", FILES)
+    choose_test(page, name)
     page.get_by_role("checkbox", name=f"Use {name}").uncheck()
     page.get_by_role("textbox", name=f"Why not to use of {name}").fill("grease on the sample")
     page.get_by_role("button", name=FIT).click()  # which leaves the field
@@ -112,6 +114,7 @@ def test_the_fit_waits_for_all_that_was_said(visitor: Visitor) -> None:
 
 
 def test_what_is_held_is_typed_refused_and_a_misfit_is_accepted(page: Page, tmp_path: Path) -> None:
+    unfold_plan(page)
     page.fill("#t-fixed-peak_slip", "2 kN")
     page.get_by_role("button", name=FIT).click()
     page.wait_for_selector("#t-fixed-peak_slip[aria-invalid=true]")

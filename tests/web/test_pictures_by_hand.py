@@ -176,103 +176,12 @@ def test_names_that_find_no_room_cover_the_least() -> None:
     assert crossed == min(around)
 
 
-def data(phi: float = math.pi, **more: Any) -> dict[str, Any]:
-    n = 91
-    return {
-        "phi": phi, "position": [phi * i / (n - 1) for i in range(n)],
-        "values": [i / (n - 1) for i in range(n)], "most": 1.0, "t1": 100.0, "t2": 50.0,
-        "text1": "T1", "text2": "T2", "duty": "driving", "outside": [], "stuck": 0.0,
-        "peak": phi, "told": "",
-    } | more  # fmt: skip
-
-
-def test_the_pulley_is_wrapped_from_its_entry_nip_at_the_top() -> None:
-    # by hand: a half turn about the right side; radius 80 of the shell, 100 with the lagging
-    outside = [[0.0, math.pi / 2]]
-    found, long = drawn(
-        {"kind": "pulley", "data": data(outside=outside, stuck=math.pi / 4), "cursor": 0.0},
-        {"kind": "pulley", "data": data(3 * math.pi, peak=2.5 * math.pi)},
-    )
-    assert (float(found["peak"]["cx"]), float(found["peak"]["cy"])) == pytest.approx((0.0, 90.0))
-    entry, leaving = points(found["nips"]["d"])[:2], points(found["nips"]["d"])[2:]
-    assert entry == [pytest.approx((0, -80), abs=1e-9), pytest.approx((0, -100), abs=1e-9)]
-    assert leaving == [pytest.approx((0, 80), abs=1e-9), pytest.approx((0, 100), abs=1e-9)]
-    assert numbers(found["hand"]["d"]) == pytest.approx([0.0, -46.0, 0.0, -111.0], abs=1e-9)
-    out, rest = found["zones"]
-    assert max(x for x, _ in points(out["d"])) == pytest.approx(100.0)
-    assert max(y for _, y in points(out["d"])) == pytest.approx(0.0, abs=0.051)
-    assert "out" in out["fill"]
-    assert "rest" in rest["fill"]
-    assert max(x for x, _ in points(rest["d"])) == pytest.approx(100 / math.sqrt(2), abs=0.1)
-    # beyond a turn it spirals outwards, 16 px a turn, so that the belt does not cover itself
-    peak = float(long["peak"]["cx"]), float(long["peak"]["cy"])
-    assert math.hypot(*peak) == pytest.approx(90 + 16 * 1.25)
-
-
-def test_tensions_are_arrows_away_from_the_pulley_as_long_as_they_pull() -> None:
-    found, other = drawn(
-        {"kind": "pulley", "data": data()}, {"kind": "pulley", "data": data(t1=50.0, t2=100.0)}
-    )
-    for one, shares in ((found, (1.0, 0.5)), (other, (0.5, 1.0))):
-        for pull, share in zip(one["pulls"], shares, strict=True):
-            (x0, y0), (x1, y1) = points(pull["d"])
-            assert x0 - x1 == pytest.approx(25 + 75 * share, abs=0.11)  # to the left, both
-            assert y1 == pytest.approx(y0, abs=0.11)
-    above, below = (points(pull["d"])[0][1] for pull in found["pulls"])
-    assert above < -100 < 100 < below
-    # the belt comes to the entry and goes from the exit
-    (x0, _), (x1, _) = points(found["ways"][0]["d"])
-    assert x0 < x1
-    (x0, _), (x1, _) = points(found["ways"][1]["d"])
-    assert x0 > x1
-    assert [t["text"] for t in found["texts"]] == ["T1", "T2"]
-    assert [t["text"] for t in found["nip_texts"]] == ["entry nip", "exit nip"]
-    # at right angles to the radius, however far it is wrapped
-    (long,) = drawn({"kind": "pulley", "data": data(4.0)})
-    for pull, angle in zip(long["pulls"], (2.0, -2.0), strict=True):
-        (x0, y0), (x1, y1) = points(pull["d"])
-        assert (x1 - x0) * math.cos(angle) - (y1 - y0) * math.sin(angle) == pytest.approx(
-            0, abs=0.2
-        )
-        assert x1 < x0
-    assert float(found["texts"][0]["y"]) < float(found["texts"][1]["y"])
-
-
-def colour(fill: str) -> list[float]:
-    return numbers(fill)
-
-
-def test_colours_and_heights_follow_the_values() -> None:
-    found, braking = drawn(
-        {"kind": "pulley", "data": data()},
-        {
-            "kind": "pulley", "radius": 0.5, "turn": [0.3, math.pi / 2],
-            "data": data(values=[i / 45 - 1 for i in range(91)]),
-        },
-    )  # fmt: skip
-    reds = [colour(cell["fill"])[1] for cell in found["cells"]]  # green falls from pale to red
-    assert all(a >= b for a, b in pairwise(reds))
-    assert reds[0] > 240
-    assert reds[-1] < 30
-    ring = points(found["height"]["d"])
-    inner = ring[61:]  # the first 61 points are the ring's base, radius 76
-    assert math.hypot(*inner[0]) == pytest.approx(76 - 26, abs=0.4)
-    assert math.hypot(*inner[-1]) == pytest.approx(76, abs=0.4)
-    # between its places a value runs straight: half way up a step that lies in the middle
-    values = [0.0] * 45 + [0.5] + [1.0] * 45
-    (stepped,) = drawn({"kind": "pulley", "data": data(values=values)})
-    radii = [math.hypot(*p) for p in points(stepped["height"]["d"])[61:]]
-    assert radii[10:40] == pytest.approx([50.0] * 30, abs=0.1)
-    assert radii[50:80] == pytest.approx([76.0] * 30, abs=0.1)
-    # by hand: 0.92 of the way from (226, 240, 250) to (8, 48, 107)
-    assert colour(braking["cells"][0]["fill"]) == pytest.approx([25, 63, 118], abs=5)
-    # what brakes is blue, what drives red, pale between them; the belt runs a travel of 0.3 m on a
-    # drum of 0.5 m drawn with 100: 60 px, the spoke a quarter turn
-    first, last = colour(braking["cells"][0]["fill"]), colour(braking["cells"][-1]["fill"])
-    assert first[2] > first[0]
-    assert last[0] > last[2]
-    assert float(braking["marks"]["stroke-dashoffset"]) == -60.0
-    assert braking["spoke"]["transform"] == "rotate(90)"
+def test_a_belt_in_time_runs_with_its_drum() -> None:
+    """Travels of 0.3 and 0.6 m on a drum of 0.5 m of radius drawn with 164, marks every 150."""
+    some = [{"kind": "stage", "radius": 0.5, "turn": [s, math.pi / 2]} for s in (0.3, 0.6)]
+    for found, offset in zip(drawn(*some), (-98.4, -(2 * 98.4 - 150.0)), strict=True):
+        assert float(found["marks"]["stroke-dashoffset"]) == pytest.approx(offset, abs=0.06)
+        assert found["spoke"]["transform"] == "rotate(90 490 250)"
 
 
 def test_parts_of_the_creep_are_laid_end_to_end_and_against_each_other() -> None:
@@ -449,10 +358,11 @@ def test_steps_and_ticks_are_round() -> None:
     steps, marks, colours = drawn(
         {"kind": "steps", "spans": [[10, 5], [10, 4], [7, 5], [0.03, 5], [1e4, 3], [26, 5]]},
         {"kind": "ticks", "of": [[0, 1, 0.25], [-0.3, 0.7, 0.5], [0.1, 0.7, 0.2]]},
-        {"kind": "warm", "of": [0, 1, -1, 2, 0.5]},
+        {"kind": "ramp", "of": [0, 1, -1, 2, 0.5]},
     )
     assert steps == pytest.approx([2, 2.5, 2, 0.01, 5e3, 10])
     assert marks == [[0, 0.25, 0.5, 0.75, 1], [0, 0.5], [0.2, 0.4, 0.6]]
-    assert colours[0] == colours[2] == "rgb(255,255,204)"
-    assert colours[1] == colours[3] == "rgb(189,0,38)"
-    assert colour(colours[4])[0] > 250
+    # the ramp has four colours, the last for all that is more
+    assert colours[0] == colours[2] == "color-mix(in srgb, var(--q1) 0%, var(--q0))"
+    assert colours[1] == colours[3] == "color-mix(in srgb, var(--q3) 100%, var(--q2))"
+    assert colours[4] == "color-mix(in srgb, var(--q2) 50%, var(--q1))"

@@ -2,13 +2,14 @@
 
 import json
 import os
+import re
 import subprocess
 import sys
 import tempfile
 import urllib.error
 import urllib.request
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
@@ -16,7 +17,7 @@ import pytest
 from sqlalchemy import create_engine
 
 from cli.running import wraparc
-from web.browser import browser
+from web.browser import READY, browser
 from web.calculators import API, TOKEN, client, document, serving, wait_for
 from wraparc.errors import InputError
 from wraparc.web.database.engine import migrate
@@ -126,23 +127,28 @@ def test_the_browser_is_given_a_file_that_nobody_else_reads(
         given = json.loads(seen.read_text())
         new = own_token(folder)
         assert new not in (old, TOKEN)
-        assert f"?token={new}" in server.told
-        assert new not in " ".join(given)
+        # the browser is given the token of this start; the one that lasts is for programs
+        (start,) = re.findall(r"\?token=(\S{16,})", server.told)
+        assert start not in (new, old, TOKEN)
+        assert new not in server.told
+        assert start not in " ".join(given)
         file = Path(unquote(urlsplit(given[-1]).path))
-        assert new in file.read_text()
+        assert start in file.read_text()
+        assert new not in file.read_text()
         assert mode(file) == 0o600
         assert not others_read(file)
         with browser() as found:
             page = found.new_context().new_page()
             page.goto(given[-1])
             page.wait_for_url(f"http://127.0.0.1:{server.port}/")
-            assert page.request.get(f"http://127.0.0.1:{server.port}{API}/designs").ok
-        request = urllib.request.Request(
-            f"http://127.0.0.1:{server.port}{API}/designs",
-            headers={"authorization": f"Bearer {old}"},
-        )
-        with pytest.raises(urllib.error.HTTPError, match="401"):
-            urllib.request.urlopen(request)  # noqa: S310
+            page.wait_for_selector(READY["drive"])
+        for token, opens in ((new, True), (start, True), (old, False)):
+            request = urllib.request.Request(
+                f"http://127.0.0.1:{server.port}{API}/designs",
+                headers={"authorization": f"Bearer {token}"},
+            )
+            with nullcontext() if opens else pytest.raises(urllib.error.HTTPError, match="401"):
+                urllib.request.urlopen(request).close()  # noqa: S310
         server.stop()
         assert not file.exists()
 

@@ -23,7 +23,7 @@ def test_a_version_that_is_refused_renames_nothing(calculator: Calculator) -> No
     assert server.ask(path, {**version, "name": "as it was called"}).status == 201
     page.fill("#design-name", "a new name")
     page.get_by_role("button", name="Save a new version").click()
-    expect(page.locator("#toast.bad")).to_be_visible()
+    expect(page.locator("#conflict")).to_contain_text("saved version 2 meanwhile")
     expect(page.locator("#saved")).to_contain_text("This is version 1 of “as it was called”")
     page.reload()
     rows = page.locator("#saved .scroll")

@@ -2,16 +2,20 @@
 
 import json
 from collections.abc import Iterator
+from hashlib import sha256
 from typing import Any
 
 import pytest
+from fastapi import Response
 from starlette.testclient import TestClient
 
 from web.calculators import ADDRESS, API, client, document
-from wraparc.web import security
-from wraparc.web.settings import is_loopback
+from wraparc.web import one_time, security
+from wraparc.web.errors import ApiError
+from wraparc.web.one_time import OneTimeLinks
+from wraparc.web.settings import Settings, is_loopback
 
-TOKEN = "0123456789abcdef0123"  # noqa: S105
+TOKEN, START = "0123456789abcdef0123", "of-this-start-3210fedcba9876543210"
 
 
 @pytest.fixture(scope="module")
@@ -22,7 +26,8 @@ def local() -> Iterator[TestClient]:
 
 @pytest.fixture(scope="module")
 def remote() -> Iterator[TestClient]:
-    with client(host="192.0.2.7", token=TOKEN, names=("conveyor.example",)) as found:
+    names = ("conveyor.example",)
+    with client(host="192.0.2.7", token=TOKEN, start_token=START, names=names) as found:
         yield found
 
 
@@ -78,10 +83,14 @@ def test_other_origins_change_nothing(
 
 def test_a_token_is_asked_for_beyond_this_machine(remote: TestClient) -> None:
     host = {"host": "192.0.2.7:8765"}
-    for path in ("/", "/docs", "/static/main.js", f"{API}/about", f"{API}/openapi.json"):
+    for path in (f"{API}/about", f"{API}/start", f"{API}/designs", f"{API}/samefold", f"{API}/"):
         answer = remote.get(path, headers=host)
         assert answer.status_code == 401
         assert answer.headers["www-authenticate"] == "Bearer"
+        assert answer.headers["content-type"] == "application/problem+json"
+    for method in ("POST", "PUT", "PATCH", "DELETE"):  # what is open is open to be read
+        for path in ("/", f"{API}/openapi.json", f"{API}/same/x", f"{API}/once/x"):
+            assert remote.request(method, path, headers=host).status_code == 401
     right = {"authorization": f"Bearer {TOKEN}"}
     assert remote.get(f"{API}/about", headers=host | right).status_code == 200
     assert remote.get(f"{API}/about", headers=right | {"host": "conveyor.example"}).is_success
@@ -91,40 +100,89 @@ def test_a_token_is_asked_for_beyond_this_machine(remote: TestClient) -> None:
     assert remote.get(f"{API}/about", headers=right | {"host": "evil.example"}).status_code == 403
 
 
-def test_the_address_with_the_token_lets_a_browser_in(remote: TestClient) -> None:
+def test_what_is_sent_to_everybody_is_of_the_program_alone(remote: TestClient) -> None:
+    # expected: bytes that every installation of this version has
+    host = {"host": "192.0.2.7:8765"}
+    for path in ("/", "/designs", "/docs", "/static/main.js", f"{API}/openapi.json"):
+        answer = remote.get(path, headers=host)
+        assert answer.status_code == 200
+        assert TOKEN not in answer.text
+        assert START not in answer.text
+        assert remote.get(path, headers={"host": "evil.example"}).status_code == 403
+
+
+def test_the_address_with_the_token_leads_to_that_of_this_start(remote: TestClient) -> None:
+    # expected: no cookie; the token that lasts is in no page, only that of this start
     host = {"host": "192.0.2.7:8765"}
     answer = remote.get(f"/?token={TOKEN}", headers=host, follow_redirects=False)
     assert answer.status_code == 303
-    assert answer.headers["location"] == "/"  # the token leaves the address bar
-    cookie = answer.headers["set-cookie"]
-    assert "HttpOnly" in cookie
-    assert "SameSite=Lax" in cookie  # a link to a design opens it
-    carried = host | {"cookie": cookie.partition(";")[0]}
-    assert remote.get(f"{API}/about", headers=carried).status_code == 200
-    remote.cookies.clear()
-    for query in ("?token=wrong", "?token=", "?token=%00", "?" + "a=1&" * 500):
-        assert remote.get(f"/{query}", headers=host).status_code in (401, 400)
-    assert remote.get(f"/?token={TOKEN}", headers={"host": "evil.example"}).status_code == 403
-
-
-def test_a_link_from_elsewhere_asks_for_the_token_and_goes_on(remote: TestClient) -> None:
-    host = {"host": "192.0.2.7:8765", "accept": "text/html"}
-    link = '/designs?open=3&x="><script>'
-    asked = remote.get(link, headers=host)
-    assert asked.status_code == 401
-    assert asked.headers["content-type"].startswith("text/html")
-    assert '<input name="token"' in asked.text
-    assert 'name="open" value="3"' in asked.text
-    assert "<script>" not in asked.text
-    assert "unsafe" not in asked.headers["content-security-policy"]
+    assert answer.headers["location"] == f"/?token={START}"
+    assert "set-cookie" not in answer.headers
+    of_page = host | {"authorization": f"Bearer {START}"}
+    assert remote.get(f"{API}/about", headers=of_page).status_code == 200
+    for name in ("cookie", "x-token"):
+        sent = host | {name: f"wraparc_token_8765={TOKEN}"}
+        assert remote.get(f"{API}/about", headers=sent).status_code == 401
     entered = remote.get(f"/designs?open=3&token={TOKEN}", headers=host, follow_redirects=False)
-    assert entered.headers["location"] == "/designs?open=3"
+    assert entered.headers["location"] == f"/designs?open=3&token={START}"
+    for query in ("?token=wrong", "?token=", "?token=%00", "?" + "a=1&" * 500, f"?token={START}"):
+        answer = remote.get(f"/{query}", headers=host, follow_redirects=False)
+        assert answer.status_code == 200  # the page, which asks for the address
+    assert remote.get(f"/?token={TOKEN}", headers={"host": "evil.example"}).status_code == 403
     for path in ("//evil.example/", "/\\evil.example"):
         answer = remote.get(f"http://192.0.2.7:8765{path}?token={TOKEN}", follow_redirects=False)
         assert answer.headers.get("location", "/").startswith(("/evil", "/%5C"))
-    remote.cookies.clear()
-    answer = remote.get(f"{API}/about", headers=host)
-    assert answer.headers["content-type"] == "application/problem+json"
+
+
+def test_a_token_of_the_user_alone_opens_no_page(remote: TestClient) -> None:
+    # who takes the port later is sent what a bookmark holds: it is to open nothing
+    with client(token=TOKEN, start_token=START, linked=False) as own:
+        answer = own.get(f"/?token={TOKEN}", follow_redirects=False)
+        assert (answer.status_code, answer.text[:15]) == (200, "<!doctype html>")
+        assert own.get(f"{API}/about", headers={"authorization": f"Bearer {TOKEN}"}).is_success
+        settings = own.app.state.wraparc.settings  # type: ignore[attr-defined]
+        assert settings.address.endswith(f"?token={START}")
+        assert START not in repr(settings)
+    settings = remote.app.state.wraparc.settings  # type: ignore[attr-defined]
+    assert settings.address.endswith(f"?token={TOKEN}")
+
+
+def test_a_server_proves_to_know_the_token_of_its_start(remote: TestClient) -> None:
+    # expected: HMAC-SHA256 by its definition (RFC 2104), over SHA-256 alone
+    def by_definition(key: bytes, message: bytes) -> bytes:
+        block = key.ljust(64, b"\0")
+        inner, outer = (bytes(byte ^ pad for byte in block) for pad in (0x36, 0x5C))
+        return sha256(outer + sha256(inner + message).digest()).digest()
+
+    for nonce in ("0b7a5b0e-1111-4222-8333-123456789abc", "x" * 300):
+        answer = remote.get(f"{API}/same/{nonce}", headers={"host": "192.0.2.7:8765"})
+        assert answer.content == by_definition(START.encode(), nonce[:100].encode())
+        assert answer.headers["wraparc-version"]
+        assert answer.headers["cache-control"] == "no-store"
+
+
+def test_every_start_has_a_token_of_its_own() -> None:
+    made = {Settings().start_token for _ in range(20)}
+    assert len(made) == 20
+    assert min(map(len, made)) >= 32
+
+
+def test_a_link_of_one_use_is_used_once_and_for_a_minute() -> None:
+    now = [0.0]
+    links = OneTimeLinks(lambda: now[0])
+    first, second = links.make(lambda: Response("first")), links.make(lambda: Response("second"))
+    assert links.use(first.rpartition("/")[2]).body == b"first"
+    for gone in (first, "/none", "/"):
+        with pytest.raises(ApiError, match="used"):
+            links.use(gone.rpartition("/")[2])
+    now[0] = 60.5
+    with pytest.raises(ApiError, match="minute"):
+        links.use(second.rpartition("/")[2])
+    many = [links.make(lambda: Response("one")) for _ in range(one_time.MOST + 1)]
+    assert len(set(many)) == len(many)
+    with pytest.raises(ApiError):
+        links.use(many[0].rpartition("/")[2])
+    assert links.use(many[1].rpartition("/")[2]).body == b"one"
 
 
 def test_every_answer_carries_the_headers_that_protect(local: TestClient) -> None:

@@ -201,11 +201,17 @@ def test_on_one_machine_other_users_are_kept_out(plain: Process) -> None:
     address = f"http://127.0.0.1:{plain.port}"
     with pytest.raises(urllib.error.HTTPError, match="401"):
         urllib.request.urlopen(f"{address}{API}/designs")  # noqa: S310
-    opener = urllib.request.build_opener(urllib.request.HTTPCookieProcessor())
+    # who has the printed address has the token of this start, which no cookie repeats
+    opener = urllib.request.build_opener(cookies := urllib.request.HTTPCookieProcessor())
     printed = re.search(r"http://\S+", plain.told)
     assert printed
-    assert opener.open(printed[0]).status == 200
-    assert opener.open(f"{address}{API}/designs").status == 200
+    page = opener.open(printed[0])
+    assert page.status == 200
+    assert list(cookies.cookiejar) == []
+    token = page.url.partition("token=")[2]
+    headers = {"authorization": f"Bearer {token}"}
+    designs = urllib.request.Request(f"{address}{API}/designs", headers=headers)  # noqa: S310
+    assert urllib.request.urlopen(designs).status == 200  # noqa: S310
 
 
 def test_the_token_of_a_user_stays_and_is_read_by_nobody_else(tmp_path: Path) -> None:

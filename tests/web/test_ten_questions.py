@@ -53,7 +53,10 @@ class Hand:
         self.presses += 2
         self.visitor.example(title)
         expect(self.page.locator("#title")).to_have_text(title)
-        self.visitor.solved()
+        if self.page.locator("#train").is_visible():  # several pulleys open there
+            expect(self.page.locator("#train .screen")).to_have_attribute("data-stands", "fresh")
+        else:
+            self.visitor.solved()
 
 
 def words(text: str) -> str:
@@ -107,7 +110,7 @@ def wrap_take_up_or_ceramic(hand: Hand) -> None:
     expect(seek.get_by_role("button", name=f"Use {wrap}")).to_be_visible()
     # and what to do stands on the button beside the verdict
     expect(hand.page.locator("#verdict .advice")).to_have_text(
-        "Use lagging full-ceramic and wrap 223 deg."
+        "Use lagging full-ceramic and wrap 223 deg (now 180 deg)."
     )
 
 

@@ -83,6 +83,13 @@ def test_what_is_not_finite() -> None:
     assert_alike([f"from {cell} on" for cell in cells])
 
 
+def test_no_digits_behind_the_point() -> None:
+    """Of a step of whole percent, as a change of a reserve has it."""
+    cells = [Cell(a, "number", 0, "percent signed") for a in (-0.144, 0.0, 0.256, 1.0)]
+    assert [cell.text("si") for cell in cells] == ["-14 %", "0 %", "+26 %", "+100 %"]
+    assert_alike([f"from {cell} on" for cell in cells])
+
+
 def test_what_only_looks_like_a_cell() -> None:
     """Anybody may write such a title into a drive file."""
     looks = ("\x02no|3||1|nan|\x03", "\x02length|0||1.2345|nan|\x03", "\x02force|3||1|", "\x02\x03")

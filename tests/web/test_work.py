@@ -215,6 +215,40 @@ def test_an_abandoned_solve_is_ended_and_makes_room(
     asyncio.run(scenario())
 
 
+def test_what_uses_more_processor_time_than_its_share_leaves_its_place(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    # expected: the only place is given to others, though the first is not answered yet; who waits
+    # without working is moved nowhere
+    monkeypatch.setattr(work, "BUDGET", 0.2)
+    gate = tmp_path / "go"
+    folder = tmp_path / "begun"
+    folder.mkdir()
+
+    async def scenario() -> None:
+        async with workers() as found:
+            first = asyncio.create_task(
+                found.short("a", tasks.works, str(folder), str(gate), queue=work.QUICK)
+            )
+            await until(lambda: any(folder.iterdir()))
+            others = [await found.short(who, os.getpid, queue=work.QUICK) for who in "ab"]
+            assert not first.done()
+            (busy,) = (one for one in found._all if one.stepped_back)
+            assert {unpacked(one) for one in others} == {unpacked(others[0])}
+            gate.write_text("")
+            assert unpacked(await first) == "worked"
+            assert busy.ended  # it was of its own
+            assert len(found._idle[work.QUICK]) == 1
+            gate.unlink()
+            waits = asyncio.create_task(found.short("a", tasks.held, str(gate), queue=work.QUICK))
+            await asyncio.sleep(5 * work.BUDGET)
+            assert not any(one.stepped_back for one in found._all if not one.ended)
+            gate.write_text("")
+            assert unpacked(await waits) == "held"
+
+    asyncio.run(scenario())
+
+
 def test_who_asks_what_is_just_being_given_up_gets_an_answer(tmp_path: Path) -> None:
     gate = tmp_path / "go"
 

@@ -18,6 +18,7 @@ from wraparc.web.routes import (
     drives,
     events,
     files,
+    logs,
     pages,
     shear_tests,
     start,
@@ -40,7 +41,7 @@ class _App(FastAPI):
     def openapi(self) -> dict[str, Any]:
         """Return the OpenAPI document."""
         found = super().openapi()
-        told = "The token; browsers send it in a cookie."
+        told = "The token of the user, or that of this start, which pages have."
         scheme = {"type": "http", "description": told, "scheme": "bearer"}
         found["components"]["securitySchemes"] = {BEARER: scheme}
         return found
@@ -76,7 +77,7 @@ def create_app(settings: Settings) -> FastAPI:
         redirect_slashes=False,
     )
     app.state.wraparc = state
-    for part in (drives, start, designs, shear_tests, files, studies, events, pages):
+    for part in (drives, start, designs, shear_tests, files, logs, studies, events, pages):
         app.include_router(part.api)
     app.include_router(pages.pages)
     for kind in (InputError, ApiError, MissingExtraError, HTTPException, Exception):

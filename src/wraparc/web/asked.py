@@ -56,6 +56,9 @@ class FastRequest(Request):
     document: Document
     pulley: Line | None = Field(None, description="The first if left out.")
     load_case: Line | None = Field(None, description=_CASE)
+    governing: bool = Field(
+        False, description="Whether that pulley and load case are meant that govern the verdict."
+    )
     points: int = Field(120, ge=8, le=1000, description="Parts of the wrap in the profile.")
     tables: bool = Field(False, description="Whether to send tables as well.")
     prepared: bool = Field(
@@ -80,7 +83,7 @@ class SolveRequest(Request):
 
 
 class ActionRequest(Request):
-    """What to do about the verdict on a drive."""
+    """What to do about the verdict on a drive, or how little changes it."""
 
     document: Document
     load_case: Line | None = Field(None, description="Only this one.")
@@ -269,6 +272,16 @@ class StudyRequest(Request):
 
     study: dict[str, Any] = Field(description="Tables of a study file; its drive is `document`.")
     document: Document
+
+
+class LearnRequest(Request):
+    """What logs that were uploaded say of a drive."""
+
+    document: Document
+    learn: dict[str, Any] = Field(
+        default_factory=dict,
+        description="Tables of a learn file; its drive is `document`, its logs are uploaded.",
+    )
 
 
 class EventRequest(Request):

@@ -26,6 +26,7 @@ class ToldProblem(Answer):
     remedy: str
     line: int | None
     code: str
+    meant: str
     sentence: str
 
 
@@ -90,6 +91,7 @@ def told(problems: Iterable[Problem]) -> list[ToldProblem]:
             remedy=problem.remedy,
             line=problem.line,
             code=problem.code,
+            meant=problem.meant,
             sentence=str(problem),
         )
         for problem in problems

@@ -12,6 +12,7 @@ from typing import NamedTuple
 from wraparc.arc.answer import operating_point
 from wraparc.arc.capacity import CAPACITIES, find_capacities, highest_tight
 from wraparc.arc.gross_slip import Line
+from wraparc.arc.profile import steepest_slip
 from wraparc.arc.quantities import BREAKAWAY, SOLVED, Buffer, Load
 from wraparc.arc.sliding import (
     Loaded,
@@ -37,10 +38,7 @@ from wraparc.arc.summary import (
     too_steep,
 )
 from wraparc.checks.least_numbers import Pull, least_for_creep, least_for_slip
-from wraparc.checks.numbers import (
-    largest,
-    steepest,
-)
+from wraparc.checks.numbers import largest
 from wraparc.drive.load_case import (
     LEAST_TENSION,
     MOST_TENSION,
@@ -224,7 +222,6 @@ def judged(
     profile = columns_of(law, arc, found.met.rest, out, count)
     carried = find_capacities(law, geometry, load, CAPACITIES)
     loaded = Loaded(law, geometry, load, given.steepest_fall < 0.0 and carried.gross_creep != inf)
-    pitch = 0.5 * arc.diameter + arc.pitch_offset
     tight, slack = max(entry, leaving) - arc.centrifugal, min(entry, leaving) - arc.centrifugal
     line, begin = Line(tight, slack, criteria.tight_rise, criteria.slack_rise), at_limits(loaded)
     sliding = pull_at_sliding(loaded, line, begin)
@@ -241,7 +238,7 @@ def judged(
         when_wet = least_for_creep(law, wetted, pull, limit) + arc.centrifugal
     if load.slip_max < limit:
         by_slip = least_for_slip(law, geometry, pull, load.slip_max) + arc.centrifugal
-    steep = steepest(profile.position, profile.slip, count, pitch, pitch * arc.wrap_angle)
+    runs = arc.belt_speed * 0.5 * arc.diameter / (0.5 * arc.diameter + arc.pitch_offset)
     return Found(
         solved=found.outcome == SOLVED,
         summary=summary_of(geometry, arc, tested, found),
@@ -253,7 +250,7 @@ def judged(
         least_when_covered=covered,
         least_when_wet=when_wet,
         largest_slip=largest(profile.slip, count),
-        slip_speed=arc.belt_speed * steep,
+        slip_speed=runs * steepest_slip(geometry, found.met) if count > 0 else nan,
         covered_creep=covered_creep(law, given, criteria.cover),
         wet=wet_creep(loaded, criteria.wet) if criteria.wet != 0.0 else nan,
         loads=resultant(entry, leaving, arc.wrap_angle, criteria.strength, criteria.pulley_mass),

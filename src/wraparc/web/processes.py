@@ -14,6 +14,7 @@ import socket
 import struct
 import sys
 import threading
+import time
 from collections.abc import Callable
 from contextlib import suppress
 from typing import Any, Protocol
@@ -66,6 +67,9 @@ def answer(function: Function, *asked: Any) -> bytes:
 class _Process(Protocol):
     """What can be ended at once."""
 
+    @property
+    def pid(self) -> int | None: ...
+
     def kill(self) -> None: ...
 
 
@@ -83,12 +87,14 @@ class Worker:
     ----------
     ended
         Whether it was ended.
+    stepped_back
+        Whether it goes on behind the other processes.
     """
 
     def __init__(self, connection: socket.socket, process: _Process) -> None:
         self._socket, self._process = connection, process
         self._streams: tuple[asyncio.StreamReader, asyncio.StreamWriter] | None = None
-        self.ended = False
+        self.ended = self.stepped_back = False
         connection.setblocking(False)
 
     @classmethod
@@ -105,6 +111,22 @@ class Worker:
             return True
         except OSError:
             return False
+
+    def processor_time(self) -> float:
+        """Return the processor time that it has used [s]; where none is told, the time."""
+        try:
+            with open(f"/proc/{self._process.pid}/stat", "rb") as file:
+                used = file.read().rpartition(b")")[2].split()[11:13]
+            return sum(map(int, used)) / os.sysconf("SC_CLK_TCK")
+        except (OSError, ValueError, AttributeError):  # no Linux, or it has just ended
+            return time.monotonic()
+
+    def step_back(self) -> None:
+        """Let the other processes go first, from now on."""
+        self.stepped_back = True
+        with suppress(OSError, AttributeError):  # AttributeError: Windows
+            if self._process.pid:
+                os.setpriority(os.PRIO_PROCESS, self._process.pid, 10)
 
     async def ask(self, question: bytes, tell: Tell) -> bytes:
         """Wait for the answer to a pickled question.

@@ -6,8 +6,6 @@ Written as a plain ASGI layer, so that it costs microseconds and sees every byte
 import hmac
 import socket
 from collections.abc import Iterable
-from html import escape
-from http.cookies import CookieError, SimpleCookie
 from urllib.parse import parse_qsl, quote, urlencode, urlsplit
 
 from wraparc.web.errors import PROBLEM_JSON, refused
@@ -16,12 +14,13 @@ from wraparc.web.settings import Settings, is_address, is_loopback
 
 Refusal = tuple[int, str, str]
 
-COOKIE = "wraparc_token"
 #: Most bytes of a request, and of one that uploads files.
 BODY_LIMIT, UPLOAD_LIMIT = 2_000_000, 64_000_000
 _MOST_DIGITS = 12  # of a length: more are too large, and int() refuses thousands of them
-UPLOADS = ("/api/v1/tests/", "/api/v1/measured")
+UPLOADS = ("/api/v1/tests/", "/api/v1/logs/", "/api/v1/measured")
 _SAFE = ("GET", "HEAD", "OPTIONS")
+#: What is sent to everybody: the program's own files and forms, proofs, and links of one use.
+_OPEN = ("/api/v1/openapi.json", "/api/v1/same/", "/api/v1/once/")
 
 POLICY = (
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:; "
@@ -29,7 +28,6 @@ POLICY = (
     "base-uri 'none'; frame-ancestors 'none'"
 )
 _NO_LENGTH: Refusal = 400, "the length of the request is no number", "Send it as it is."
-_ASKING = ((b"content-type", b"text/html; charset=utf-8"), (b"www-authenticate", b"Bearer"))
 HEADERS: tuple[tuple[bytes, bytes], ...] = (
     (b"content-security-policy", POLICY.encode()),
     (b"x-content-type-options", b"nosniff"),
@@ -67,9 +65,6 @@ class Door:
             return
         refusal = self._refusal(scope, headers)
         if refusal is not None:
-            if refusal[0] == 401 and _is_page(scope) and "text/html" in headers.get("accept", ""):
-                await _answer(outgoing, 401, _token_page(scope), _ASKING)
-                return
             await _refuse(outgoing, *refusal)
             return
         limit = UPLOAD_LIMIT if scope["path"].startswith(UPLOADS) else BODY_LIMIT
@@ -90,7 +85,7 @@ class Door:
         if scope["method"] not in _SAFE and not _same_origin(scope, headers, host):
             message = "a page of another origin may not change anything here"
             return 403, message, "Use the pages of this server."
-        if self.settings.token and not self._has_token(headers):
+        if self.settings.token and not _is_open(scope) and not self._has_token(headers):
             message = "this server asks for its token"
             remedy = "Open the address with ?token=... that the server has printed"
             return 401, message, f"{remedy}, or send Authorization: Bearer ..."
@@ -108,60 +103,39 @@ class Door:
 
     def _has_token(self, headers: dict[str, str]) -> bool:
         scheme, _, given = headers.get("authorization", "").partition(" ")
-        if scheme.lower() == "bearer" and self._right(given.strip()):
-            return True
-        return self._right(_cookie(headers.get("cookie", ""), _cookie_name(headers)))
-
-    def _right(self, given: str) -> bool:
-        return hmac.compare_digest(given.encode(), self.settings.token.encode())
+        tokens = (self.settings.start_token, self.settings.token)
+        return scheme.lower() == "bearer" and any(_equal(given.strip(), t) for t in tokens)
 
     def _enters(self, scope: Scope, headers: dict[str, str]) -> bool:
-        """Whether a browser comes with the token in the address of a page."""
-        if not self.settings.token or not _is_page(scope):
+        """Whether a browser comes with the token that is handed out in the address of a page."""
+        if not (self.settings.token and self.settings.linked and _is_page(scope)):
             return False
         given = [value for name, value in _query(scope) if name == "token"]
         known = self._known_host(headers.get("host", ""))
-        return known and bool(given) and self._right(given[0])
+        return known and bool(given) and _equal(given[0], self.settings.token)
 
     def _welcome(self, scope: Scope) -> list[tuple[bytes, bytes]]:
-        headers = {key.decode("latin-1"): v.decode("latin-1") for key, v in scope["headers"]}
-        # Lax: a link to a design from elsewhere opens it; what changes something checks its origin
-        cookie = f"{_cookie_name(headers)}={self.settings.token}; Path=/; HttpOnly; SameSite=Lax"
-        query = urlencode([pair for pair in _query(scope) if pair[0] != "token"])
-        place = quote("/" + scope["path"].lstrip("/")) + (f"?{query}" if query else "")
-        return [(b"location", place.encode()), (b"set-cookie", cookie.encode())]
+        """Lead to the same page with the token of this start, which the page takes and hides."""
+        pairs = [pair for pair in _query(scope) if pair[0] != "token"]
+        query = urlencode([*pairs, ("token", self.settings.start_token)])
+        place = quote("/" + scope["path"].lstrip("/")) + f"?{query}"
+        return [(b"location", place.encode())]
+
+
+def _equal(given: str, token: str) -> bool:
+    return hmac.compare_digest(given.encode(), token.encode())
+
+
+def _is_open(scope: Scope) -> bool:
+    return _is_page(scope) or (scope["method"] == "GET" and scope["path"].startswith(_OPEN))
 
 
 def _is_page(scope: Scope) -> bool:
-    return scope["method"] == "GET" and not scope["path"].startswith(("/api/", "/static/"))
+    return scope["method"] == "GET" and not scope["path"].startswith("/api/")
 
 
 def _query(scope: Scope) -> list[tuple[str, str]]:
     return parse_qsl(scope["query_string"][:1000].decode("latin-1"), keep_blank_values=True)
-
-
-def _cookie_name(headers: dict[str, str]) -> str:
-    """Return the name of the cookie: browsers share cookies between the ports of a machine."""
-    return f"{COOKIE}_{headers.get('host', '').rpartition(':')[2]}".replace("]", "_")
-
-
-def _token_page(scope: Scope) -> bytes:
-    """Return a page that asks for the token, and then opens what was asked for."""
-    kept = "".join(
-        f'<input type="hidden" name="{escape(name)}" value="{escape(value)}">'
-        for name, value in _query(scope)
-        if name != "token"
-    )
-    page = (
-        '<!doctype html><html lang="en"><head><meta charset="utf-8">'
-        '<meta name="viewport" content="width=device-width, initial-scale=1">'
-        "<title>wraparc: token</title></head><body><main><h1>This calculator requires its token"
-        "</h1><p>Open the address that <code>wraparc serve</code> has printed, or copy what "
-        'follows <code>token=</code> in it:</p><form method="get"><p>'
-        f'<label>Token <input name="token" type="password" required></label>{kept} '
-        "<button>Open</button></p></form></main></body></html>"
-    )
-    return page.encode()
 
 
 def _host_name(host: str) -> str:
@@ -184,14 +158,6 @@ def _same_origin(scope: Scope, headers: dict[str, str], host: str) -> bool:
         return origin.startswith(("http://", "https://")) and urlsplit(origin).netloc == host
     except ValueError:
         return False
-
-
-def _cookie(text: str, name: str) -> str:
-    try:
-        morsel = SimpleCookie(text[:8000]).get(name)
-    except CookieError:
-        return ""
-    return morsel.value if morsel else ""
 
 
 def _counted(receive: Receive, send: Send, limit: int) -> tuple[Receive, Send]:

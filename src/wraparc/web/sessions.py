@@ -12,6 +12,8 @@ from wraparc.web.errors import refused
 LIFE = 1800.0
 MOST_SESSIONS, MOST_FILES = 1000, 60
 MOST_FILE, MOST_SESSION, MOST_IN_ALL = 20_000_000, 60_000_000, 200_000_000
+#: A log of a plant may be all of its session.
+MOST_LOG = MOST_SESSION
 
 
 @dataclass
@@ -85,12 +87,12 @@ class Sessions:
         found.used = self._clock()
         return found
 
-    def add(self, session: Session, name: str, data: bytes) -> Upload:
-        """Keep a file."""
+    def add(self, session: Session, name: str, data: bytes, most: int = MOST_FILE) -> Upload:
+        """Keep a file of at most so many bytes."""
         if len(session.uploads) >= MOST_FILES:
             raise refused(413, f"more than {MOST_FILES} files", "Take some away.", name)
-        if len(data) > MOST_FILE:
-            limit = f"{MOST_FILE / 1e6:g} MB"
+        if len(data) > most:
+            limit = f"{most / 1e6:g} MB"
             raise refused(413, f"the file is larger than {limit}", "Send a part.", name)
         if session.size + len(data) > MOST_SESSION:
             raise refused(413, "the files together are too large", "Take some away.", name)

@@ -1,7 +1,8 @@
 """How one server runs."""
 
+import secrets
 import socket
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import lru_cache
 from ipaddress import ip_address
 
@@ -17,7 +18,12 @@ class Settings:
     host, port
         Where the server listens.
     token
-        What every request must carry, or empty; needed beyond this machine.
+        By which programs request answers, or empty; needed beyond this machine. It outlives the
+        server.
+    start_token
+        The token of this start, which pages have: it opens nothing after the server has stopped.
+    linked
+        Whether an address with `token` opens a page: one that its owner hands out.
     database
         URL of the database of saved designs.
     names
@@ -33,6 +39,8 @@ class Settings:
     host: str = "127.0.0.1"
     port: int = 8765
     token: str = ""
+    start_token: str = field(default_factory=lambda: secrets.token_urlsafe(24), repr=False)
+    linked: bool = True
     database: str = "sqlite://"
     names: tuple[str, ...] = ()
     start: dict[str, object] | None = None
@@ -51,7 +59,7 @@ class Settings:
         everywhere = self.host in ("0.0.0.0", "::")  # noqa: S104 - compared, not bound
         host = socket.gethostname() if everywhere else self.host
         host = f"[{host}]" if ":" in host else host
-        query = f"?token={self.token}" if self.token else ""
+        query = f"?token={self.token if self.linked else self.start_token}" if self.token else ""
         return f"http://{host}:{self.port}/{query}"
 
     @property

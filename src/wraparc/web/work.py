@@ -9,7 +9,7 @@ import os
 import pickle
 import shutil
 import tempfile
-from contextlib import suppress
+from contextlib import AsyncExitStack, suppress
 from functools import partial
 from typing import Any
 
@@ -21,6 +21,10 @@ from wraparc.web.turns import Turns, busy
 QUICK, WHOLE = "quick", "whole"
 #: Most seconds for a short answer, for a long one, and for one that nobody waits for any more.
 SHORT_LIMIT, LONG_LIMIT, LEFT_LIMIT = 90.0, 600.0, 0.5
+#: A short answer that has taken so long, and as much processor time again [s], goes on in a worker
+#: of its own: its place is for others.
+BUDGET = 1.0
+_MOST_MOVED = 4
 #: Most seconds of a job, which goes on by itself until it is cancelled: a study, a run in time.
 JOB_LIMIT = 4 * 3600.0
 _LONG_TASKS, _MOST_WAITING = 2, 200
@@ -52,6 +56,7 @@ class Workers:
             QUICK: Turns(self._sizes[QUICK], self._sizes[QUICK], _MOST_WAITING),
             WHOLE: Turns(self._sizes[WHOLE], self._sizes[WHOLE] - 1, _MOST_WAITING),
         }
+        self._moved = Turns(_MOST_MOVED, _MOST_MOVED // 2, _MOST_WAITING)
         self._long = Turns(_LONG_TASKS, _LONG_TASKS - 1, _MOST_WAITING)
         self._reading = Turns(1, 1, _MOST_WAITING)
         self._idle: dict[str, list[Worker]] = {QUICK: [], WHOLE: []}
@@ -145,17 +150,47 @@ class Workers:
             task.exception()  # told to whoever still waits
 
     async def _short(self, client: str, question: bytes, queue: str) -> bytes:
-        async with self._turns[queue].turn(client):
+        async with AsyncExitStack() as place:
+            await place.enter_async_context(self._turns[queue].turn(client))
             idle = self._idle[queue]
             worker = idle.pop() if idle else await self._started()
             if not worker.alive:  # it died while it had nothing to do
                 worker.end()
                 worker = await self._started()
+            moves: list[asyncio.Task[None]] = []
+            late = asyncio.get_running_loop().call_later(
+                BUDGET, lambda: moves.append(asyncio.create_task(self._move(worker, client, place)))
+            )
             try:
                 return await self._asked(worker, question, SHORT_LIMIT)
             finally:
-                if not worker.ended:
+                late.cancel()
+                for move in moves:
+                    move.cancel()
+                if worker.stepped_back:
+                    worker.end()
+                elif not worker.ended:
                     self._idle[queue].append(worker)
+
+    async def _move(self, worker: Worker, client: str, place: AsyncExitStack) -> None:
+        """Let a process that takes long be that of one question, behind others; until cancelled.
+
+        Parameters
+        ----------
+        worker
+            What works on the question.
+        client
+            Whose it is: only some of one client are moved, the others go on where they are.
+        place
+            Its place among short answers, which is given back.
+        """
+        begin = worker.processor_time()
+        while worker.processor_time() - begin < BUDGET:
+            await asyncio.sleep(BUDGET / 10)
+        async with self._moved.turn(client):
+            worker.step_back()
+            await place.aclose()
+            await asyncio.Event().wait()
 
     async def _asked(
         self, worker: Worker, question: bytes, limit: float | None, tell: Tell = unheard

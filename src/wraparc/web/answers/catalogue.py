@@ -37,6 +37,7 @@ class CatalogueBelt(Answer):
     kind: str
     rating: Text
     modulus: Text
+    modulus_test: str
     least_pulley_diameter: Text | None
     source: str
 
@@ -149,6 +150,7 @@ def _belt(belt: catalogue.CatalogueBelt) -> CatalogueBelt:
         kind=belt.kind,
         rating=worded(quantity(belt.rating, "force_per_width")),
         modulus=worded(quantity(belt.modulus, "force_per_width")),
+        modulus_test=belt.modulus_test or "not stated",
         least_pulley_diameter=None if least is None else worded(quantity(least, "length")),
         source=str(belt.provenance),
     )

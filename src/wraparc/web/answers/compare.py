@@ -110,7 +110,10 @@ class CompareAnswer(Answer):
 NOT_ANY = "none"
 Changes = list[Change]
 _Candidate = tuple[str, Drive | InputError, Changes]
-_OF_BELT = ("name", "kind", "modulus", "rating", "least_pulley_diameter", "sources", "provenance")
+_OF_BELT = (
+    "name", "kind", "modulus", "modulus_test", "modulus_loads", "rating", "least_pulley_diameter",
+    "sources", "provenance",
+)  # fmt: skip
 
 
 def compare(asked: CompareRequest) -> CompareAnswer:

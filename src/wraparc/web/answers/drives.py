@@ -1,7 +1,6 @@
 """A drive document to the answer: fast for one arc, or everything there is to say."""
 
 import math
-from dataclasses import replace
 
 from wraparc.actions import find_action
 from wraparc.answer.answer_data import text_data
@@ -16,6 +15,7 @@ from wraparc.answer.least_tension import (
     least_table,
     shown_least,
 )
+from wraparc.answer.reserve_check import judge_uncertain
 from wraparc.answer.sources import Sources
 from wraparc.answer.train_sheet import train_input_sheet
 from wraparc.answer.verdict_data import action_data
@@ -27,12 +27,13 @@ from wraparc.answer.words import (
     stated_action,
     verdict,
 )
-from wraparc.arc import ArcResult, Distributed, DriveResult, PaperMarch, WrapArc, solve
+from wraparc.arc import ArcResult, Distributed, DriveResult, WrapArc, solve
 from wraparc.checks import Level, judge, least_tension
+from wraparc.checks import Verdict as Judgement
 from wraparc.drive import Drive
 from wraparc.schema.source import parse
 from wraparc.train import Train, TrainResult, solve_train
-from wraparc.train.whole import Whole
+from wraparc.train.whole import Whole, by_pulley
 from wraparc.web.answers.documents import asked_for, case_only, read
 from wraparc.web.answers.judging import Judging, judging
 from wraparc.web.answers.prepared import Prepared, prepared
@@ -40,6 +41,7 @@ from wraparc.web.answers.shown import (
     Action,
     Answer,
     Bar,
+    Change,
     Data,
     DriveKind,
     Profile,
@@ -60,6 +62,7 @@ from wraparc.web.answers.shown import (
     texts,
     worded,
 )
+from wraparc.web.answers.solved import solved_by_paper, solved_whole
 from wraparc.web.answers.trains import TrainPart, train_part
 from wraparc.web.asked import ActionRequest, CheckRequest, FastRequest, SolveRequest
 
@@ -117,7 +120,7 @@ class WholeArc(Arc):
 
 
 class Place(Answer):
-    """Which arc."""
+    """Which arc; of a solved drive that which governs its verdict."""
 
     pulley: str
     load_case: str
@@ -180,19 +183,21 @@ class SheetAnswer(Sheet):
 def solve_fast(asked: FastRequest) -> FastAnswer:
     """One arc without capacities, for sliders."""
     thing, whole = read(asked.document), None
+    method = Distributed(points=asked.points, capacities=False)
     if isinstance(thing, Train):
-        case = thing.case().name if asked.load_case is None else asked.load_case
-        method = Distributed(points=asked.points, capacities=False)
-        whole = solve_train(case_only(thing, case), method=method, raise_on_failure=False)
+        meant = thing.case().name if asked.load_case is None else asked.load_case
+        name = None if asked.governing else meant
+        whole = solve_train(case_only(thing, name), method=method, raise_on_failure=False)
+        result = _meant(whole, asked)
         drive = whole.drive_result().drive
+    elif asked.governing:
+        drive = thing
+        result = _meant(solve(drive, method=method, raise_on_failure=False), asked)
     else:
         drive = thing
-    pulley, load = asked_for(drive, asked.pulley, asked.load_case)
-    if whole is not None:
-        result = whole.drive_result().arc(pulley.name, load.name)
-    else:
-        solver = Distributed(points=asked.points, capacities=False)
-        result = solver.solve(WrapArc.of(drive, pulley, load))
+        at = asked_for(drive, asked.pulley, asked.load_case)
+        result = method.solve(WrapArc.of(drive, *at))
+    pulley, load = asked_for(drive, result.arc.pulley, result.arc.load_case)
     answered = DriveResult(drive, (result,))
 
     if whole is None:
@@ -215,6 +220,21 @@ def solve_fast(asked: FastRequest) -> FastAnswer:
     )
 
 
+def _meant(whole: Whole, asked: FastRequest) -> ArcResult:
+    """Return the arc of a solved drive or train that is asked for."""
+    found = by_pulley(whole)
+    if asked.governing:
+        judged = judge(whole)
+        return min(found, key=lambda r: _order(judged.at(r.arc.pulley, r.arc.load_case)))
+    pulley, load = asked_for(found.drive, asked.pulley, asked.load_case)
+    return found.arc(pulley.name, load.name)
+
+
+def _order(judged: Judgement) -> tuple[int, float]:
+    """Return the place of an arc among those of a drive: the least governs."""
+    return -judged.level.rank, order_in(judged)
+
+
 class ActionAnswer(Answer):
     """What to do about the verdict on a drive; None where every check passes."""
 
@@ -224,7 +244,7 @@ class ActionAnswer(Answer):
 
 def propose_action(asked: ActionRequest) -> ActionAnswer:
     """What to do about the verdict, each change solved and judged before it is offered."""
-    action = find_action(_solved(asked.document, asked.load_case, Distributed().points))
+    action = find_action(solved_whole(asked.document, asked.load_case, Distributed().points))
     plain = None if action is None else action_data(action, text_data)
     return ActionAnswer(
         sequence=asked.sequence,
@@ -232,28 +252,80 @@ def propose_action(asked: ActionRequest) -> ActionAnswer:
     )
 
 
-def _solved(document: Data, load_case: str | None, points: int) -> DriveResult | TrainResult:
-    """Return a drive or train solved in all its load cases, or in one of them."""
-    thing = read(document)
-    if isinstance(thing, Train):
-        return solve_train(case_only(thing, load_case), raise_on_failure=False)
-    if load_case is not None:
-        thing = replace(thing, load_cases=(asked_for(thing, None, load_case)[1],))
-    return solve(thing, method=Distributed(points=points), raise_on_failure=False)
+class ReserveChange(Answer):
+    """The smallest change of an input that changes the level, see `wraparc.reserve.Flip`.
+
+    `name` and `shown` are its words; `changes` make it, in the document, as it is shown: none where
+    no key does.
+    """
+
+    input: str
+    pulley: str | None
+    lagging: str | None
+    load_case: str | None
+    change: float
+    level: Level
+    uncertainty: float
+    uncertainty_kind: str
+    source: str | None
+    name: Text
+    shown: Text
+    changes: list[Change]
+
+
+class ReserveAnswer(Answer):
+    """How little of an input changes the verdict: a line, and each change."""
+
+    sequence: int
+    text: Text | None
+    changes: list[ReserveChange]
+
+
+def nearest_changes(asked: ActionRequest) -> ReserveAnswer:
+    """The smallest change of each input at which the level of the verdict changes."""
+    from wraparc.answer.reserve_words import (  # solves rows
+        flip_data,
+        input_name,
+        nearest_text,
+        percent_text,
+        rounded_change,
+    )
+    from wraparc.reserve import find_reserve
+    from wraparc.reserve.keys import ReserveKeys
+
+    whole = solved_whole(asked.document, asked.load_case, Distributed().points)
+    drive, reserve, keys = by_pulley(whole).drive, find_reserve(whole), ReserveKeys.of(whole)
+    return ReserveAnswer(
+        sequence=asked.sequence,
+        text=worded(nearest_text(reserve, drive)),
+        changes=[
+            ReserveChange(
+                **flip_data(flip),
+                name=worded(input_name(flip.input, drive)),
+                shown=worded(percent_text(flip.change)),
+                changes=[
+                    Change({"key": c.key, "from": c.before, "to": c.after, "unit": c.unit})
+                    for c in keys.changes(flip.input, 1.0 + rounded_change(flip.change))
+                ],
+            )
+            for flip in reserve.flips
+        ],
+    )
 
 
 def solve_all(asked: SolveRequest) -> SolveAnswer:
     """Every arc by both methods, with capacities, as ``wraparc solve --method both`` gives it."""
     train: TrainPart | None = None
-    whole = _solved(asked.document, asked.load_case, asked.points)
+    whole = solved_whole(asked.document, asked.load_case, asked.points)
     if isinstance(whole, TrainResult):
         first, train = whole.drive_result(), train_part(whole, search=asked.search)
     else:
         first = whole
-    drive, governing = first.drive, first.governing.arc
-    second = solve(drive, method=PaperMarch(), raise_on_failure=False)
+    drive, second = first.drive, solved_by_paper(first.drive)
     sources = [Source(**source) for source in sources_of(drive)]
     summary = tables([summary_table((first, second), whole)], ["summary"])
+    arcs = [_whole_arc(whole, first, a, b) for a, b in zip(first, second, strict=True)]
+    governing = min(arcs, key=lambda arc: (-arc.level.rank, arc.order))
     return SolveAnswer(
         sequence=asked.sequence,
         kind="drive" if train is None else "train",
@@ -265,7 +337,7 @@ def solve_all(asked: SolveRequest) -> SolveAnswer:
         verdict=(train and train.verdict) or Verdict.of(verdict(first, search=asked.search)),
         remarks=_remarks(first),
         conditions=_conditions(first, whole),
-        checks=tables([check_table(judge(whole))], ["checks"])[0],
+        checks=tables([check_table(judge_uncertain(whole))], ["checks"])[0],
         least_tension=_least(whole),
         summary=summary[0] if len(first) > 1 else None,
         sources=sources,
@@ -274,7 +346,7 @@ def solve_all(asked: SolveRequest) -> SolveAnswer:
             calibrated=any(s.kind == "calibrated" for s in sources),
             outside_tested=any(a.extrapolates for a in first),
         ),
-        arcs=[_whole_arc(whole, first, a, b) for a, b in zip(first, second, strict=True)],
+        arcs=arcs,
         train=train,
         judging=judging(asked.document, first)
         if asked.prepared and asked.load_case is None and first is whole

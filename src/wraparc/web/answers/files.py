@@ -33,8 +33,10 @@ def export(asked: ExportRequest, kind: ExportKind) -> bytes:
     result, train = _solved(asked.document)
     if kind == "csv":
         return profile_csv(list(result), asked.units).encode("utf-8")
-    document = solved_document([result], train, file=f"{asked.name}.toml")
-    sheet = drive_sheet([result]) if train is None else train_sheet(train)
+    document = solved_document([result], train, file=f"{asked.name}.toml", reserve=True)
+    if train is None:
+        return answer_json(document, drive_sheet([result], reserve="all")).encode("utf-8")
+    sheet = train_sheet(train, pulleys=[result], reserve="all")
     return answer_json(document, sheet).encode("utf-8")
 
 

@@ -6,8 +6,10 @@ from functools import cache
 from wraparc.answer import key_figures
 from wraparc.conveyor.keys import CONVEYOR
 from wraparc.drive import CREEP_LIMIT, Lagging
+from wraparc.drive.usual_sizes import USUAL_SIZES
 from wraparc.files.across_keys import ACROSS, PULLEY_END, TRANSITION
 from wraparc.files.drive_keys import BELT, CRITERIA, LOAD_CASE, PULLEY, TENSIONS
+from wraparc.files.elongation import Elongation
 from wraparc.files.lagging_keys import LAGGING_GIVEN
 from wraparc.glossary import GLOSSARY
 from wraparc.glossary import Quantity as GlossaryQuantity
@@ -81,6 +83,7 @@ class Field(Answer):
     allowed: str = ""
     least: float | None = None
     most: float | None = None
+    usual: tuple[float, float] | None = None
 
 
 class Section(Answer):
@@ -164,7 +167,7 @@ def form() -> Form:
             _section("tensions", "Tensions", "pulley[].", TENSIONS, repeated=True),
             _section("lagging", "Lagging", "pulley[].lagging.", lagging, repeated=True),
             _section("load_case", "Load cases", "load_case[].", case, repeated=True),
-            _section("conveyor", "Conveyor", "conveyor.", CONVEYOR.entries),
+            _section("conveyor", "Conveyor", "conveyor.", filter(_is_plain, CONVEYOR.entries)),
             *criteria,
             _section("train", "Train", "train.", TRAIN.entries),
             _section("motion", "In time", "motion.", filter(_is_plain, MOTION.entries)),
@@ -215,6 +218,15 @@ _CHOICES: dict[str, tuple[str, ...]] = {
 }
 
 
+#: Fields whose usual sizes are known, by their place in `USUAL_SIZES`.
+_USUAL = {
+    "belt.width": 0, "belt.modulus": 1, "belt.speed": 2, "pulley[].diameter": 3,
+    "pulley[].wrap_angle": 4, "creep_limit": 6, "pulley[].lagging.thickness": 8,
+    "pulley[].lagging.shear_modulus": 9, "pulley[].lagging.compression_modulus": 10,
+    "belt.rating": 11,
+}  # fmt: skip
+
+
 def _section(
     key: str, title: str, prefix: str, entries: Iterable[Entry], *, repeated: bool = False
 ) -> Section:
@@ -245,6 +257,7 @@ def _field(entry: Entry, prefix: str, name: str) -> Field:
         word=worded.word if worded and path != "belt.modulus" else None,
         default=_default(path),
         slider=_slider(path),
+        usual=USUAL_SIZES[_USUAL[path]] if path in _USUAL else None,
         **_limits(kind),
     )
 
@@ -262,7 +275,7 @@ def _kind_name(path: str, kind: Kind) -> str:
         return "flag"
     if isinstance(kind, Name):
         return "name"
-    if type(kind).__name__ == "Text":
+    if type(kind).__name__ == "Text" or isinstance(kind, Elongation):
         return "text"
     return _kind_name("", kind.text) if isinstance(kind, TextOr) else "table"
 

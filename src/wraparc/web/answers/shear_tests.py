@@ -7,8 +7,10 @@ from typing import Any
 import numpy as np
 from pydantic import Field
 
+from wraparc.answer.shear_test_findings import condition_findings
 from wraparc.answer.shear_test_record import record_sheet
 from wraparc.answer.shear_test_tables import plan_sheet
+from wraparc.checks import Level
 from wraparc.errors import InputError
 from wraparc.files.write import lagging_text
 from wraparc.schema.source import Document, parse
@@ -22,9 +24,11 @@ from wraparc.shear_test import (
 from wraparc.shear_test.analysis import ConditionResult, PlanResult
 from wraparc.shear_test.analysis import TestResult as OneTest
 from wraparc.shear_test.digitised import guessed_pressure, read_points, with_curves
+from wraparc.shear_test.file_names import read_name
 from wraparc.shear_test.plan_file import plan_from_document
 from wraparc.shear_test.plan_keys import PLAN
 from wraparc.shear_test.reader import table_columns
+from wraparc.shear_test.standard_values import STANDARD_SLIPS, friction_at, law_at_slips
 from wraparc.units import in_units
 from wraparc.web.answers.shown import (
     Answer,
@@ -32,10 +36,12 @@ from wraparc.web.answers.shown import (
     Numbers,
     Sheet,
     Table,
+    Text,
     finite,
     rounded,
     sheet,
     tables,
+    worded,
 )
 from wraparc.web.answers.texts import PlanAnswer, plan_text
 from wraparc.web.asked import FileChoices, FitRequest, TestFileRequest
@@ -44,6 +50,8 @@ from wraparc.web.errors import ToldProblem, told
 _PREVIEW, _CURVE, _PRESSURES = 240, 200, 60
 #: A digitiser writes less than this [bytes].
 _MOST_POINTS = 1_000_000
+#: Which of the standard slips are shown over pressure: 2 and 6.35 mm.
+_SHOWN_SLIPS = (1, 3)
 _TEST_KEYS = ("pressure", "normal_force", "condition", "repeat", "sample")
 
 
@@ -94,6 +102,8 @@ class ReadFile(Answer):
     notes: list[str] = Field(default_factory=list)
     preview: Preview | None = None
     pressure_guess: str | None = None
+    condition_guess: str | None = None
+    number: str | None = None
     place: str = ""
 
 
@@ -128,6 +138,16 @@ class PressurePoint(Answer):
     peak_friction: float | None
 
 
+class FrictionAtSlip(Answer):
+    """Friction over pressure [Pa] at a slip [m]: of the law with its band, and of the tests."""
+
+    slip: float
+    pressure: Numbers
+    friction: Numbers
+    band: Numbers
+    points: list[tuple[float, float]]
+
+
 class PressureFunctions(Answer):
     """Peaks over pressure [Pa]: of the tests, and of the law."""
 
@@ -145,14 +165,26 @@ class Transition(Answer):
     in_law: bool
 
 
+class Finding(Answer):
+    """A finding of the tests of one condition; `tests` is how many it concerns, None of a value."""
+
+    title: str
+    level: Level
+    value: Text
+    text: Text
+    tests: int | None
+
+
 class FittedCondition(Answer):
     """What was found in one condition."""
 
     condition: str
+    findings: list[Finding]
     misfit: list[str]
     remarks: list[str]
     curves: list[FittedCurve]
     pressure_functions: PressureFunctions
+    at_slips: list[FrictionAtSlip]
     transition: Transition | None
 
 
@@ -171,22 +203,30 @@ class FitAnswer(Answer):
     removes_shear: bool
 
 
+def said_by_name(name: str) -> TestFileRequest:
+    """What the name of a file says of its test; its number makes no repeats, equal pressures do."""
+    test = read_name(name)
+    return TestFileRequest(pressure=test.pressure, condition=test.condition or "dry")
+
+
 def read_files(files: list[MachineFile]) -> ReadFiles:
     """Return what was understood of several files."""
     return ReadFiles(files=[_read_file(file) for file in files])
 
 
 def _read_file(file: MachineFile) -> ReadFile:
-    guess = guessed_pressure(file.name)
-    curves = _curves_of(file)
+    curves, name = _curves_of(file), read_name(file.name)
+    guesses = {
+        "pressure_guess": name.pressure,
+        "condition_guess": name.condition,
+        "number": name.number,
+    }
     try:
         test = _one_test(file)
         record = read_machine_bytes(file.data, file.name, test.choices)
     except InputError as error:
         columns = _columns_of(file)
-        return ReadFile(
-            problems=told(error.problems), pressure_guess=guess, columns=columns, digitised=curves
-        )
+        return ReadFile(problems=told(error.problems), columns=columns, digitised=curves, **guesses)
     shown = record_sheet(record)
     step = max(1, len(record.travel) // _PREVIEW)
     return ReadFile(
@@ -197,7 +237,7 @@ def _read_file(file: MachineFile) -> ReadFile:
         columns=[FileColumn(name=c.name, unit=c.unit, role=c.role) for c in record.columns],
         notes=list(shown.remarks),
         preview=Preview(travel=rounded(record.travel[::step]), force=rounded(record.force[::step])),
-        pressure_guess=guess,
+        **guesses,
     )
 
 
@@ -302,7 +342,7 @@ def _fitted(plan: TestPlan, result: PlanResult) -> FitAnswer:
         lagging=None if text is None else _table_of(text),
         toml=text,
         sheet=Sheet(**sheet(plan_sheet(result, laws=True))),
-        conditions=[_condition(condition) for condition in result.conditions],
+        conditions=[_condition(result, condition) for condition in result.conditions],
         left_out=told(result.left_out),
         removes_shear=plan.removes_shear,
     )
@@ -314,10 +354,20 @@ def _table_of(text: str) -> Data:
     return {key: value for key, value in table.items() if key not in ("format", "name")}
 
 
-def _condition(condition: ConditionResult) -> FittedCondition:
+def _condition(result: PlanResult, condition: ConditionResult) -> FittedCondition:
     found, transition = condition.found, condition.found.transition
     return FittedCondition(
         condition=condition.condition,
+        findings=[
+            Finding(
+                title=finding.title,
+                level=finding.level,
+                value=worded(finding.value),
+                text=worded(finding.text),
+                tests=finding.tests,
+            )
+            for finding in condition_findings(result, condition)
+        ],
         misfit=list(map(in_units, condition.misfit)),
         remarks=list(map(in_units, condition.remarks)),
         curves=[
@@ -325,6 +375,7 @@ def _condition(condition: ConditionResult) -> FittedCondition:
             for test, flagged in zip(condition.tests, found.flagged, strict=True)
         ],
         pressure_functions=_pressure_functions(condition),
+        at_slips=[_at_slip(condition, k) for k in _SHOWN_SLIPS],
         transition=None
         if transition is None
         else Transition(
@@ -350,6 +401,20 @@ def _curve(test: OneTest, flagged: bool) -> FittedCurve:
         noise=finite(fit.noise),
         flagged=flagged,
         misfit=[in_units(sentence.text) for sentence in test.judged.misfit],
+    )
+
+
+def _at_slip(condition: ConditionResult, number: int) -> FrictionAtSlip:
+    """Friction over pressure at one of the standard slips, up to which tests reached."""
+    slip = STANDARD_SLIPS[number]
+    friction, expanded = law_at_slips(condition)
+    known = [(test.curve.pressure, friction_at(test, slip)) for test in condition.tests]
+    return FrictionAtSlip(
+        slip=slip,
+        pressure=rounded(condition.found.level_pressures()),
+        friction=rounded(friction[:, number]),
+        band=rounded(np.nan_to_num(expanded[:, number])),
+        points=[(p, mu) for p, mu in known if np.isfinite(mu)],
     )
 
 

@@ -138,7 +138,9 @@ class Verdict(Answer):
     changes: list[Text]
     also: list[Also]
     wet: Data | None
-    reserve: list[Text]
+    reserve: list[Data]
+    reserve_text: Text | None
+    probability: Data | None
     data: Data | None
     passed: int | None
     missed: int | None
@@ -193,7 +195,7 @@ class Bar(Answer):
     name: str
     title: str
     level: Level
-    place: str
+    place: Text
     at_most: bool
     value: float
     share: float
@@ -287,7 +289,7 @@ def _bar(check: Check) -> Bar:
         name=check.name,
         title=check.title,
         level=check.level,
-        place=str(check.place),
+        place=worded(str(check.place)),
         at_most=check.at_most,
         value=check.value,
         share=check.share,

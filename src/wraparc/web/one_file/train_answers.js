@@ -182,8 +182,8 @@ export async function quickTrain({ document: doc, pulley, load_case, sequence },
   const one = cases.find((/** @type {any} */ x) => x.c.name === name) ?? cases[0];
   const names = one.own.arcs.map((/** @type {any} */ a) => a.pulley);
   const i = Math.max(names.indexOf(pulley), 0);
-  const { level, levels, ...verdict } = verdictOf(judged, one.c.name, names[i]);
+  const { level, levels } = verdictOf(judged, one.c.name, names[i]);
   const remarks = remarksOf(judged);
   const first = { ...firstAnswer(one.own.cases[i]), ...shownOf(one.quicks[i]), sequence };
-  return { ...first, kind: "train", level, levels, remarks, verdict: { ...verdict, level } };
+  return { ...first, kind: "train", level, levels, remarks };
 }

@@ -695,78 +695,6 @@ export class Told {
   }
 }
 
-export class Problem {
-  constructor(message, remedy = "", file = "", key = "", value = "", line = null, code = "") {
-    this.message = message;
-    this.remedy = remedy;
-    this.file = file;
-    this.key = key;
-    this.value = value;
-    this.line = line;
-    this.code = code;
-  }
-}
-
-export class Conveyor {
-  constructor(
-    length,
-    lift = 0.0,
-    belt_mass,
-    carry_idler_mass,
-    return_idler_mass,
-    material_mass = null,
-    capacity = null,
-    friction_factor = 0.02,
-    length_coefficient = null,
-    secondary_resistance = null,
-    special_resistance = 0.0,
-    return_share = 0.0,
-    start_factor = null,
-    start_time = null,
-    stop_time = null,
-    take_up_tension = null,
-    counterweight = null,
-    take_up_distance = 0.0,
-    drive_at = "head",
-    speed = null,
-    sheave_ratio = 2.0,
-  ) {
-    this.length = length;
-    this.lift = lift;
-    this.belt_mass = belt_mass;
-    this.carry_idler_mass = carry_idler_mass;
-    this.return_idler_mass = return_idler_mass;
-    this.material_mass = material_mass;
-    this.capacity = capacity;
-    this.friction_factor = friction_factor;
-    this.length_coefficient = length_coefficient;
-    this.secondary_resistance = secondary_resistance;
-    this.special_resistance = special_resistance;
-    this.return_share = return_share;
-    this.start_factor = start_factor;
-    this.start_time = start_time;
-    this.stop_time = stop_time;
-    this.take_up_tension = take_up_tension;
-    this.counterweight = counterweight;
-    this.take_up_distance = take_up_distance;
-    this.drive_at = drive_at;
-    this.speed = speed;
-    this.sheave_ratio = sheave_ratio;
-  }
-}
-
-export class Point {
-  constructor(x, y, diameter = 0.0, turn = "clockwise") {
-    this.x = x;
-    this.y = y;
-    this.diameter = diameter;
-    this.turn = turn;
-  }
-  get side() {
-    return (this.diameter / 2.0) * (this.turn === "counterclockwise" ? 1.0 : -1.0);
-  }
-}
-
 export class Row {
   constructor(title, values, symbol = "", note = "", name = "", level = null) {
     this.title = title;
@@ -1168,13 +1096,6 @@ const _IDLE = 1e-11;
 const GIVEN_DIGITS = 4;
 const BEYOND_MOTOR =
   "No operating point: a motor would have to work outside its curve. Change its set speed or gear, or choose another motor.";
-const _EITHER = [
-  ["material_mass", "capacity", 'material_mass = "120 kg/m"'],
-  ["take_up_tension", "counterweight", 'take_up_tension = "40 kN"'],
-  ["length_coefficient", "secondary_resistance", ""],
-  ["start_factor", "start_time", ""],
-];
-const _NEED_SPEED = ["capacity", "start_time", "stop_time"];
 const RESULT_DIGITS = 3;
 const SMALL_PULL = 0.001;
 const _AS_FAST = 5e-6;
@@ -2102,72 +2023,6 @@ export function in_page_train__told(system, names, of, arcs, nominal, motors) {
     tension_miss,
     speed_miss,
   );
-}
-
-/** Return what is said twice or not at all, and what needs the belt speed. */
-export function conveyor__choices(given) {
-  let example, first, key, message, remedy, second;
-  let problems = [];
-  for (const each1 of _EITHER) {
-    [first, second, example] = each1;
-    if (given.includes(first) && given.includes(second)) {
-      message = "" + "means the same as " + $text(first);
-      problems.push(new Problem(message, "Leave one of them out.", undefined, second));
-    } else if (example !== "" && !given.includes(first) && !given.includes(second)) {
-      remedy = "" + "Write " + $text(example) + ", or " + $text(second) + ".";
-      problems.push(
-        new Problem("missing", remedy, undefined, first, undefined, undefined, "missing"),
-      );
-    }
-  }
-  for (const each2 of _NEED_SPEED) {
-    key = each2;
-    if (given.includes(key) && !given.includes("speed")) {
-      remedy = 'Write speed = "3 m/s" in [belt].';
-      problems.push(new Problem("needs the belt speed", remedy, undefined, key));
-    }
-  }
-  return problems;
-}
-
-/** Return the direction of the straight belt between two pulleys [rad]. */
-export function belt_path___direction(start, end) {
-  let dx = end.x - start.x;
-  let dy = end.y - start.y;
-  let offset = end.side - start.side;
-  return Math.atan2(dy, dx) - Math.asin(offset / Math.hypot(dx, dy));
-}
-
-/** Return the same of pulleys that do not overlap [rad]. */
-export function belt_path__turned_by(before, pulley, after) {
-  let incoming = belt_path___direction(before, pulley);
-  let outgoing = belt_path___direction(pulley, after);
-  let turned = pulley.turn === "counterclockwise" ? outgoing - incoming : incoming - outgoing;
-  turned = modulo(turned, 6.283185307179586);
-  return 6.283185307179586 - turned < 1e-9 ? 0.0 : turned;
-}
-
-/** Return a problem for each neighbour that overlaps the pulley. */
-export function belt_path__overlaps(before, pulley, after) {
-  let distance, end, key, message, remedy;
-  let problems = [];
-  for (const each1 of [
-    [before, "before"],
-    [after, "after"],
-  ]) {
-    [end, key] = each1;
-    distance = Math.hypot(end.x - pulley.x, end.y - pulley.y);
-    if (distance < (end.diameter + pulley.diameter) / 2.0 || distance === 0.0) {
-      message =
-        "" +
-        "overlaps the pulley: their centres are " +
-        $text(display(distance, "length")) +
-        " apart";
-      remedy = "Check the coordinates and the diameters.";
-      problems.push(new Problem(message, remedy, undefined, key));
-    }
-  }
-  return problems;
 }
 
 /** Return the cell of the value [SI] of a quantity of the glossary. */

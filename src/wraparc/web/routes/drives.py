@@ -98,6 +98,7 @@ def one_example(name: str) -> ExampleAnswer:
 
 offer(api, "/solve", drives.solve_all)
 offer(api, "/solve/action", drives.propose_action)
+offer(api, "/solve/reserve", drives.nearest_changes)
 offer(api, "/check", drives.check)
 offer(api, "/toml/read", texts.read_toml)
 offer(api, "/toml/write", texts.write_toml)

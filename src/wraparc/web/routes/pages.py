@@ -1,5 +1,6 @@
 """The pages and their files."""
 
+import hmac
 from importlib.util import find_spec
 from pathlib import Path
 
@@ -20,6 +21,7 @@ PAGES = ("/", "/compare", "/tests", "/train", "/study", "/designs", "/about")
 pages = APIRouter(include_in_schema=False)
 api = router("", "server")
 _static = Static(FOLDER)
+_LONGEST = 100  # of what a page thinks of for a proof
 _EXTRAS = {"fit": "scipy", "report": "typst", "study": "scipy"}
 
 
@@ -56,6 +58,24 @@ async def static_file(request: Request, name: str) -> Response:
 async def favicon(request: Request) -> Response:
     """Return the icon."""
     return send_file(request, "icon.svg")
+
+
+@pages.get("/api/v1/same/{nonce}")
+async def same(request: Request, nonce: str) -> Response:
+    """Prove to a page that this is the server which it was opened from, before it sends anything.
+
+    HMAC-SHA256 of what the page has thought of, by the token of this start.
+    """
+    token = state_of(request).settings.start_token
+    proof = hmac.digest(token.encode(), nonce[:_LONGEST].encode(), "sha256")
+    headers = {"wraparc-version": __version__}
+    return Response(proof, headers=headers, media_type="application/octet-stream")
+
+
+@pages.get("/api/v1/once/{link}")
+async def once(request: Request, link: str) -> Response:
+    """Return what a link of one use leads to."""
+    return state_of(request).links.use(link)
 
 
 @pages.get("/docs")

@@ -12,10 +12,13 @@ from fastapi.routing import APIRoute
 
 from wraparc.version import __version__
 from wraparc.web.answers import rows
+from wraparc.web.answers.shown import Answer
 from wraparc.web.database.store import Store
-from wraparc.web.errors import Problems, refused
+from wraparc.web.errors import Problems, ToldProblem, refused
 from wraparc.web.jobs import Jobs
+from wraparc.web.jobs import State as JobState
 from wraparc.web.kept import Kept
+from wraparc.web.one_time import OneTimeLinks
 from wraparc.web.processes import Function
 from wraparc.web.routes.bodies import Body, Readers
 from wraparc.web.sessions import Sessions
@@ -28,6 +31,17 @@ JSON = "application/json"
 BEARER = "HTTPBearer"
 
 
+class Standing(Answer):
+    """How a job stands."""
+
+    id: str
+    state: JobState
+    done: int
+    total: int
+    message: str
+    problems: list[ToldProblem]
+
+
 class State:
     """What a server holds while it runs."""
 
@@ -37,8 +51,10 @@ class State:
         self.readers = Readers(self.workers)
         self.kept = Kept()
         self.sessions = Sessions()
+        self.links = OneTimeLinks()
         self.jobs = Jobs()
         self.runs = Jobs(one="run", many="runs in time")
+        self.learning = Jobs(one="log", many="logs")
         self.store = Store.open(settings.database, settings.shown_database)
         self.first = b""  # the answers of the drive to begin with, once they are there
 
@@ -46,6 +62,7 @@ class State:
         """End what runs, and give back what is held."""
         self.jobs.stop()
         self.runs.stop()
+        self.learning.stop()
         self.workers.stop()
         self.store.close()
 

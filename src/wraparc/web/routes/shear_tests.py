@@ -3,7 +3,7 @@
 import pickle
 from typing import Annotated
 
-from fastapi import File, Request, Response, UploadFile
+from fastapi import File, Query, Request, Response, UploadFile
 
 from wraparc.web.answers import shear_tests
 from wraparc.web.answers.shear_tests import MachineFile, ReadFile, ReadFiles
@@ -100,13 +100,19 @@ async def add(
     request: Request,
     session: str,
     files: Annotated[list[UploadFile], File(max_length=MOST_FILES, description="Machine files.")],
+    named: Annotated[bool, Query(description="Take condition and pressure of the names.")] = (
+        False
+    ),
 ) -> FilesAnswer:
     """Drop files; what was understood of each is answered."""
     state = state_of(request)
     place = state.sessions.get(session)
     uploads = []
     for file in files:
-        uploads.append(state.sessions.add(place, shown_name(file.filename), await file.read()))
+        upload = state.sessions.add(place, shown_name(file.filename), await file.read())
+        if named:
+            upload.said = shear_tests.said_by_name(upload.name)
+        uploads.append(upload)
         await file.close()  # else it is held twice until it was read
     return await _read(request, uploads)
 

@@ -47,7 +47,7 @@ def _first(settings: Settings) -> StartAnswer:
 async def solve_first(state: State) -> None:
     """Have the drive to begin with solved, as a page asks for it."""
     document, workers = _first(state.settings).document, state.workers
-    quick = FastRequest(document=document, prepared=True)
+    quick = FastRequest(document=document, governing=True, prepared=True)
     whole = SolveRequest(document=document, prepared=True)
     try:
         await workers.filled

@@ -6,10 +6,10 @@ from wraparc.web.answers import studies
 from wraparc.web.answers.shown import Answer, Data, Table, Text, Verdict
 from wraparc.web.answers.texts import PlanAnswer
 from wraparc.web.asked import StudyRequest
-from wraparc.web.errors import ToldProblem, refused
-from wraparc.web.jobs import State as JobState
+from wraparc.web.errors import refused
 from wraparc.web.progress import Tell
 from wraparc.web.routes.parts import (
+    Standing,
     client_of,
     json_answer,
     picture_of,
@@ -26,16 +26,10 @@ _FILES = {
 }
 
 
-class JobAnswer(Answer):
+class JobAnswer(Standing):
     """How a study stands."""
 
-    id: str
     title: str
-    state: JobState
-    done: int
-    total: int
-    message: str
-    problems: list[ToldProblem]
 
 
 class StudyAnswer(JobAnswer):
@@ -119,9 +113,26 @@ async def picture(request: Request, study: str, name: str) -> Response:
     return picture_of(result.pictures, name)
 
 
+class LinkAnswer(Answer):
+    """A link that is used once, within a minute, without a token."""
+
+    href: str
+
+
 @api.get("/{study}/files/{name}", response_class=Response, responses=refuses(409))
 async def download(request: Request, study: str, name: str) -> Response:
     """Results to keep: the report as HTML, or all results as Parquet."""
+    return _file(request, study, name)
+
+
+@api.post("/{study}/files/{name}/link", status_code=201, responses=refuses(409))
+async def link(request: Request, study: str, name: str) -> LinkAnswer:
+    """A link to results to keep, for the browser: it is used once, within a minute."""
+    file = _file(request, study, name)
+    return LinkAnswer(href=state_of(request).links.make(lambda: file))
+
+
+def _file(request: Request, study: str, name: str) -> Response:
     if name not in _FILES:
         raise refused(404, "there is no such file")
     key, media = _FILES[name]

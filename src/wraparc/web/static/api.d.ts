@@ -103,7 +103,7 @@ export interface Bar {
   name: string;
   title: string;
   level: Level;
-  place: string;
+  place: Text;
   at_most: boolean;
   value: number;
   share: number;
@@ -111,6 +111,10 @@ export interface Bar {
   limit: Text;
   says: Text;
   source: string;
+}
+export interface Body_add_api_v1_logs__session__files_post {
+  /** Logs. */
+  files: string[];
 }
 export interface Body_add_api_v1_tests__session__files_post {
   /** Machine files. */
@@ -167,6 +171,7 @@ export interface CatalogueBelt {
   kind: string;
   rating: Text;
   modulus: Text;
+  modulus_test: string;
   least_pulley_diameter: Text | null;
   source: string;
 }
@@ -377,6 +382,8 @@ export interface FastRequest {
   pulley?: string | null;
   /** The running one of maximum effective tension if left out. */
   load_case?: string | null;
+  /** Whether that pulley and load case are meant that govern the verdict. */
+  governing?: boolean;
   /** Parts of the wrap in the profile. */
   points?: number;
   /** Whether to send tables as well. */
@@ -402,6 +409,7 @@ export interface Field {
   allowed?: string;
   least?: number | null;
   most?: number | null;
+  usual?: [number, number] | null;
 }
 export interface Figure {
   name: string;
@@ -417,6 +425,8 @@ export interface FileAnswer {
   notes?: string[];
   preview?: Preview | null;
   pressure_guess?: string | null;
+  condition_guess?: string | null;
+  number?: string | null;
   place?: string;
   id: string;
   name: string;
@@ -457,6 +467,13 @@ export interface FileColumn {
 export interface FilesAnswer {
   files: FileAnswer[];
 }
+export interface Finding {
+  title: string;
+  level: Level;
+  value: Text;
+  text: Text;
+  tests: number | null;
+}
 export interface FitAnswer {
   name: string;
   lagging: Record<string, any> | null;
@@ -476,10 +493,12 @@ export interface FitRequest {
 }
 export interface FittedCondition {
   condition: string;
+  findings: Finding[];
   misfit: string[];
   remarks: string[];
   curves: FittedCurve[];
   pressure_functions: PressureFunctions;
+  at_slips: FrictionAtSlip[];
   transition: Transition | null;
 }
 export interface FittedCurve {
@@ -510,6 +529,13 @@ export interface FoundValue {
   label: string;
   text: Text;
 }
+export interface FrictionAtSlip {
+  slip: number;
+  pressure: (number | null)[];
+  friction: (number | null)[];
+  band: (number | null)[];
+  points: [number, number][];
+}
 export interface Impossible {
   name: string;
   problems: ToldProblem[];
@@ -524,12 +550,12 @@ export interface Input {
 }
 export interface JobAnswer {
   id: string;
-  title: string;
   state: "queued" | "running" | "done" | "failed" | "cancelled";
   done: number;
   total: number;
   message: string;
   problems: ToldProblem[];
+  title: string;
 }
 export interface JobsAnswer {
   jobs: JobAnswer[];
@@ -565,6 +591,31 @@ export interface Law {
   slips: number[];
   onset_compliance: number;
 }
+export interface LearnRequest {
+  /** Tables of a drive file: the same keys and the same texts for quantities. */
+  document: Record<string, any>;
+  /** Tables of a learn file; its drive is `document`, its logs are uploaded. */
+  learn?: Record<string, any>;
+}
+export interface LearningAnswer {
+  id: string;
+  state: "queued" | "running" | "done" | "failed" | "cancelled";
+  done: number;
+  total: number;
+  message: string;
+  problems: ToldProblem[];
+  title?: Text | null;
+  subtitle?: Text | null;
+  verdict?: Verdict | null;
+  tables?: Table[] | null;
+  remarks?: Text[] | null;
+  table_sources?: string[] | null;
+  summary?: Record<string, any> | null;
+  findings?: LogFinding[] | null;
+  pictures?: string[] | null;
+  toml?: string | null;
+  name?: string | null;
+}
 export interface LeastTension {
   tension: number | null;
   given: number | null;
@@ -577,6 +628,24 @@ export interface LeastTension {
   table: Table;
 }
 export type Level = "NOT CHECKED" | "OK" | "ATTENTION" | "FAILS" | "INTERNAL ERROR";
+export interface LinkAnswer {
+  href: string;
+}
+export interface LogFile {
+  id: string;
+  name: string;
+  bytes: number;
+}
+export interface LogFiles {
+  session: string;
+  expires_in: number;
+  files: LogFile[];
+}
+export interface LogFinding {
+  title: string;
+  value: Text;
+  text: Text;
+}
 export interface Map {
   across: string;
   down: string;
@@ -788,6 +857,25 @@ export interface ReportRequest {
   name?: string;
   head?: ReportHead;
 }
+export interface ReserveAnswer {
+  sequence: number;
+  text: Text | null;
+  changes: ReserveChange[];
+}
+export interface ReserveChange {
+  input: string;
+  pulley: string | null;
+  lagging: string | null;
+  load_case: string | null;
+  change: number;
+  level: Level;
+  uncertainty: number;
+  uncertainty_kind: string;
+  source: string | null;
+  name: Text;
+  shown: Text;
+  changes: wraparc__web__answers__shown__Change[];
+}
 export interface Row {
   name: string;
   title: Text;
@@ -798,12 +886,12 @@ export interface Row {
 }
 export interface RunAnswer {
   id: string;
-  title: string;
   state: "queued" | "running" | "done" | "failed" | "cancelled";
   done: number;
   total: number;
   message: string;
   problems: ToldProblem[];
+  title: string;
   run?: Sheet | null;
   bars?: Bar[] | null;
   stability?: Sheet | null;
@@ -941,12 +1029,12 @@ export interface StartSolved {
 }
 export interface StudyAnswer {
   id: string;
-  title: string;
   state: "queued" | "running" | "done" | "failed" | "cancelled";
   done: number;
   total: number;
   message: string;
   problems: ToldProblem[];
+  title: string;
   study?: Record<string, any> | null;
   document?: Record<string, any> | null;
   subtitle?: Text | null;
@@ -1015,6 +1103,7 @@ export interface ToldProblem {
   remedy: string;
   line: number | null;
   code: string;
+  meant: string;
   sentence: string;
 }
 export interface TomlRequest {
@@ -1093,7 +1182,9 @@ export interface Verdict {
   changes: Text[];
   also: Also[];
   wet: Record<string, any> | null;
-  reserve: Text[];
+  reserve: Record<string, any>[];
+  reserve_text: Text | null;
+  probability: Record<string, any> | null;
   data: Record<string, any> | null;
   passed: number | null;
   missed: number | null;
@@ -1227,6 +1318,7 @@ export type Dimension =
   | "mass"
   | "mass_per_length"
   | "mass_flow"
+  | "density"
   | "moment_of_inertia"
   | "number";
 export type CellForm =

@@ -16,10 +16,10 @@ export function known(from) {
   catalogue = { from, belts: from.belts.map(beltOf), laggings };
 }
 /** @param {any} of */
-const beltOf = ({ provenance, carcass_source, ...of }) =>
+const beltOf = ({ provenance, sources, ...of }) =>
   Object.assign(Object.create(CatalogueBelt.prototype), of, {
     provenance: sourceOf(provenance),
-    carcass_source: carcass_source && sourceOf(carcass_source),
+    sources: new Map(Object.entries(sources).map(([key, source]) => [key, sourceOf(source)])),
   });
 /** @param {any} of */
 const sourceOf = ({ kind, source, date, note }) =>

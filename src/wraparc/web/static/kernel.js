@@ -899,6 +899,8 @@ const MOST_ELEMENTS = 400;
 const TURN = 0.001;
 const KINK_ROUNDS = 2;
 const LATER_STEPS = 20;
+const MOST_AMPLIFIED = 100.0;
+const AMPLIFIED = 10.0;
 const ROUGH = 0.001;
 const SOFTER = 10.0;
 const SOFTEST = 3.0;
@@ -958,6 +960,11 @@ const MOST = 2;
 const DIFFERENCE = 0.001;
 const LEAST_CARRIED = 1e-9;
 const _NEAR = 1e-8;
+const PLACES = [0.00012, 0.25, 0.5, 0.75, 0.99988];
+const ABOUT = 0.9;
+const NARROWER = 4;
+const BESIDE = 0.00012;
+const SIDES = 24;
 const GRAVITY = 9.80665;
 const ENDS = ["entry_tension", "exit_tension"];
 const EFFECTIVE = ["effective_tension", "torque", "power"];
@@ -2685,8 +2692,8 @@ export function collocation__meshed(face, arc, at, kind, tol) {
   return [true, over, collocation___carried_over(arc, at, new_)];
 }
 
-/** Meet the end conditions from a first guess, on meshes that adapt until nothing misses. */
-export function collocation__solved(face, arc, ends, start, tol = 1e-6) {
+/** The course on meshes that adapt until no element misses by more. */
+export function collocation___refined(face, arc, ends, start, tol) {
   let finer, new_, over;
   let found = collocation__converged(face, arc, ends, start, FIRST_STEPS, COARSELY);
   let kept = 0;
@@ -2708,6 +2715,30 @@ export function collocation__solved(face, arc, ends, start, tol = 1e-6) {
     found = collocation__converged(face, arc, ends, new_, LATER_STEPS, COARSELY);
   }
   return collocation__converged(face, arc, ends, found.course, LATER_STEPS, 1e-9);
+}
+
+/** How many times the relative error of tension that of creep is, tensions given, from 1 [-]. */
+export function collocation__amplification(found) {
+  let at = found.course;
+  let slopes = found.slopes;
+  let pull = Math.abs(at.tension[0] - at.tension.at(-1));
+  let moves = at.place.at(-1) * max(Math.abs(slopes.first_goal), 1.0) * pull;
+  let size = Math.abs(slopes.first) * $maxOf([...at.creep].map((creep) => Math.abs(creep)));
+  return moves > size ? min(moves / size, MOST_AMPLIFIED) : 1.0;
+}
+
+/** Meet the end conditions from a first guess, on meshes that adapt until nothing misses. */
+export function collocation__solved(face, arc, ends, start, tol = 1e-6) {
+  let found = collocation___refined(face, arc, ends, start, tol);
+  if (!found.done || ends.kind !== TENSION || face.rests) {
+    return found;
+  }
+  let answers = collocation__amplification(found);
+  if (answers <= AMPLIFIED) {
+    return found;
+  }
+  let finer = collocation___refined(face, arc, ends, found.course, tol / answers);
+  return finer.done ? finer : found;
 }
 
 /** An arc with its slide behind a rest arc; not done where that is not much longer than l. */
@@ -4283,24 +4314,6 @@ export function least_numbers__least_for_slip(law, geometry, of, limit) {
   return least_numbers___least_within(law, geometry, of, new Limit(SLIP, limit));
 }
 
-/** Largest change of the slip per length of arc [-]; nan without a stretch of arc. */
-export function numbers__steepest(position, slip, count, radius, length) {
-  let change, i, step;
-  let found = NaN;
-  let least = 1e-9 * length;
-  for (let each1 = 1, end1 = count; each1 < end1; each1++) {
-    i = each1;
-    step = (position[i] - position[i - 1]) * radius;
-    if (step > least) {
-      change = Math.abs(slip[i] - slip[i - 1]) / step;
-      if (!(change <= found)) {
-        found = change;
-      }
-    }
-  }
-  return found;
-}
-
 /** Tight over slack side by ln(tight/slack) of the tensions above m v^2, tight side held [-]. */
 export function summary__tension_ratio_of(arc, carried) {
   if (arc.centrifugal === 0.0) {
@@ -4371,6 +4384,102 @@ export function numbers__largest(column, count) {
   return found;
 }
 
+/** Magnitude of x' at a fraction of an element [-]; 0 where the belt does not slip. */
+export function profile___slip_growth(arc, met, i, c) {
+  const found1 = collocation__state_at(arc, met.course, i, c);
+  let u = found1[0];
+  let tension = found1[1];
+  let felt = profile__traction_of(arc, met, tension, u);
+  if (felt.slip === 0.0) {
+    return 0.0;
+  }
+  let growth = met.course.ratio - collocation__compliance_of(arc) * tension;
+  let loss = (felt.by_pressure * felt.stress) / arc.radius;
+  return Math.abs(growth - arc.shear * (felt.by_creep * growth - loss));
+}
+
+/** Top of x' in an element beside a place: of parabolas through three that are ever closer. */
+export function profile___top_growth(arc, met, i, c) {
+  let before, behind, bend, here;
+  let most = 0.0;
+  let wide = PLACES[2] - PLACES[1];
+  for (let each1 = 0, end1 = NARROWER; each1 < end1; each1++) {
+    before = profile___slip_growth(arc, met, i, c - wide);
+    here = profile___slip_growth(arc, met, i, c);
+    behind = profile___slip_growth(arc, met, i, c + wide);
+    most = max(max(max(most, before), here), behind);
+    bend = before - 2.0 * here + behind;
+    if (!(bend < 0.0)) {
+      break;
+    }
+    c += wide * min(max((0.5 * (before - behind)) / bend, -0.5), 0.5);
+    wide *= 0.25;
+    c = min(max(c, PLACES[0] + wide), PLACES.at(-1) - wide);
+  }
+  return max(most, profile___slip_growth(arc, met, i, c));
+}
+
+/** Larger x' of both sides of the kink beside the end of an element. */
+export function profile___growth_at_kink(arc, met, i, before, behind) {
+  let c, j, middle, rate;
+  let places = met.course.place;
+  let wide = places[i + 1] - places[i];
+  let next_wide = places[i + 2] - places[i + 1];
+  let low = -BESIDE * wide;
+  let high = BESIDE * next_wide;
+  for (let each1 = 0, end1 = SIDES; each1 < end1; each1++) {
+    middle = 0.5 * (low + high);
+    [j, c] = middle < 0.0 ? [i, 1.0 + middle / wide] : [i + 1, middle / next_wide];
+    rate = profile___slip_growth(arc, met, j, c);
+    if (Math.abs(rate - before) < Math.abs(rate - behind)) {
+      low = middle;
+      before = rate;
+    } else {
+      high = middle;
+      behind = rate;
+    }
+  }
+  return max(before, behind);
+}
+
+/** Largest growth of slip per length along the arc [-]. */
+export function profile__steepest_slip(arc, met) {
+  let before, behind, i, k, part;
+  let n = met.course.place.length - 1;
+  if (met.course.place.at(-1) === 0.0) {
+    return 0.0;
+  }
+  let rates = [...$range(n)].map((i) =>
+    [...PLACES].map((c) => profile___slip_growth(arc, met, i, c)),
+  );
+  let most = max(
+    profile___slip_growth(arc, met, 0, 1e-9),
+    profile___slip_growth(arc, met, n - 1, 1.0),
+  );
+  for (const each1 of rates) {
+    part = each1;
+    most = max(most, $maxOf(part));
+  }
+  for (let each2 = 0, end2 = n; each2 < end2; each2++) {
+    i = each2;
+    part = rates[i];
+    for (let each3 = 1, end3 = PLACES.length - 1; each3 < end3; each3++) {
+      k = each3;
+      if (part[k] >= ABOUT * most && part[k] >= max(part[k - 1], part[k + 1])) {
+        most = max(most, profile___top_growth(arc, met, i, PLACES[k]));
+      }
+    }
+    if (i + 1 < n) {
+      before = part.at(-1);
+      behind = rates[i + 1][0];
+      if (max(before, behind) >= (1.0 - BESIDE) * most && before !== behind) {
+        most = max(most, profile___growth_at_kink(arc, met, i, before, behind));
+      }
+    }
+  }
+  return most;
+}
+
 /** Creep at the exit with a cover in series, see `ArcResult.covered_creep` [m]. */
 export function in_page__covered_creep(law, given, cover) {
   if (cover === 0.0) {
@@ -4436,7 +4545,6 @@ export function in_page__judged(law, given, tested, criteria, points) {
     load,
     given.steepest_fall < 0.0 && carried.gross_creep !== Infinity,
   );
-  let pitch = 0.5 * arc.diameter + arc.pitch_offset;
   let tight = max(entry, leaving) - arc.centrifugal;
   let slack = min(entry, leaving) - arc.centrifugal;
   let line = new Line(tight, slack, criteria.tight_rise, criteria.slack_rise);
@@ -4462,13 +4570,7 @@ export function in_page__judged(law, given, tested, criteria, points) {
   if (load.slip_max < limit) {
     by_slip = least_numbers__least_for_slip(law, geometry, pull, load.slip_max) + arc.centrifugal;
   }
-  let steep = numbers__steepest(
-    profile.position,
-    profile.slip,
-    count,
-    pitch,
-    pitch * arc.wrap_angle,
-  );
+  let runs = (arc.belt_speed * 0.5 * arc.diameter) / (0.5 * arc.diameter + arc.pitch_offset);
   return new Found(
     found.outcome === SOLVED,
     summary__summary_of(geometry, arc, tested, found),
@@ -4480,7 +4582,7 @@ export function in_page__judged(law, given, tested, criteria, points) {
     covered,
     when_wet,
     numbers__largest(profile.slip, count),
-    arc.belt_speed * steep,
+    count > 0 ? runs * profile__steepest_slip(geometry, found.met) : NaN,
     in_page__covered_creep(law, given, criteria.cover),
     criteria.wet !== 0.0 ? sliding__wet_creep(loaded, criteria.wet) : NaN,
     load_case__resultant(entry, leaving, arc.wrap_angle, criteria.strength, criteria.pulley_mass),
@@ -4611,7 +4713,7 @@ export function tension_rules__fault_of(of, inherited, at, force) {
         $text(force(between));
     }
   }
-  let remedy = "Give two of them in the load case.";
+  let remedy = "" + "Give two of " + $text(given.join(", ")) + " in the load case.";
   return new LoadFault(message, inherited ? remedy : ONE_TOO_MANY, "");
 }
 

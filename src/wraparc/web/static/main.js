@@ -2,7 +2,8 @@
 import { again, brought, keepAddress, keepMine, pageOfAddress } from "./base/address.js";
 import { app, look, redraw, watch } from "./base/design.js";
 import { beginWith, keepDraft, offerDraft, openShown } from "./base/drafts.js";
-import { ask, cancel, onReturn, part, Refused, told, unanswered, waited } from "./base/server.js";
+import { keepToken, takeToken } from "./base/proof.js";
+import { ask, cancel, onReturn, part, told, unanswered, waited } from "./base/server.js";
 import { keepFocus } from "./frame/focus.js";
 import { Header, listen } from "./frame/header.js";
 import { Main, present } from "./frame/pages.js";
@@ -24,7 +25,8 @@ function draw() {
   render(h(Main, {}), box("main"));
   if (box("toast").className !== (told.bad ? "bad" : ""))
     box("toast").className = told.bad ? "bad" : "";
-  render(told.text || atWork(), box("toast"));
+  render(told.text, box("toast"));
+  render(atWork(), box("work"));
   keepFocus();
 }
 /** What takes longer than a second, and a way to end it. */
@@ -77,10 +79,9 @@ async function begin() {
   watch(changed);
   const opened = again ? openShown() : brought() && (await openLink());
   if (!opened) {
-    const title = first.document.title || first.name;
-    const origin = first.file ? null : { title, document: first.document };
     if (solved) came.set(first.document, solved);
-    beginWith(first.document, { name: first.name, origin, source: first });
+    if (!location.hash && first.document.pulley.length > 1 && PAGES.saved) app.page = "train";
+    beginWith(first.document, { name: first.name, source: first });
   }
   offerDraft();
   keepMine();
@@ -113,16 +114,16 @@ function paper() {
   });
 }
 
+takeToken();
 skip();
 paper();
 addEventListener("hashchange", arrive);
-begin().catch((x) => {
+begin().catch(async (x) => {
+  if (app.stranger) {
+    keepToken(""); // of another start: this page is of the server that answers
+    return render((await part(() => import("./frame/entry.js"))).entry(), box("main"));
+  }
   if (unanswered(x)) onReturn(() => location.reload());
   else console.error(x);
-  const denied = x instanceof Refused && x.status === 401;
-  const message = denied
-    ? "This calculator requires a token: open it with the link that the server printed " +
-      "(…/?token=…)."
-    : x.message;
-  render(h("p", { class: "verdict bad", role: "alert" }, message), box("main"));
+  render(h("p", { class: "verdict bad", role: "alert" }, x.message), box("main"));
 });

@@ -22,9 +22,11 @@ report.raise_all();
 (own = $m.get(record, "lagging"));
 (laggings = new Laggings(($truth($b.isinstance(own, "dict")) ? own : $map([])), folder, allow_paths, report));
 (records = [...(function* () { for (const item of $iter($or($m.get(record, "pulley"), () => []))) { if (!($truth($b.isinstance(item, Record)))) continue; yield item; } })()]);
+drive_file___name_pulley(records, report);
 (conditions = conditions__build_conditions(record, report));
 (pulleys = [...(function* () { for (const item of $iter(records)) { yield drive_build__build_pulley(item, laggings, conditions, report); } })()]);
 across_keys__check_width(records, belt_record, report);
+tensions__report_uncertain_twice(record, report);
 (criteria = drive_build__build_criteria(record, belt, report));
 (conveyor = null);
 if (($in("conveyor", document))) {
@@ -68,56 +70,71 @@ source__check_format(document, file);
 return [table.read(document, [], report), report];
 }
 function drive_build__build_belt(record, report) {
-let built, layers, mass, more, own, place, preset, published, remedy, sound, sources;
+let built, by_elongation, known, layers, mass, more, named, note, origins, own, published, remedy, sound, sources, uncertainty, unnamed, values;
 
 (sources = origins__read_sources(record, (function* () { for (const e of $iter($c75bc)) { yield e.key; } })(), report));
+(uncertainty = uncertain__read_uncertainty(record, $cc3f6, report));
 (own = $or(origins__own_provenance(record, report), () => new Provenance()));
 (more = $map([["name", "belt"], ["provenance", own]]));
-if (($in("preset", record))) {
-(place = [...$iter(record.place), "preset"]);
-(preset = report.tried((() => loader__belt($at(record, "preset"))), place, $at(record, "preset")));
-if ((preset == null)) {
+(named = drive_build___named_belt(record, report));
+(unnamed = $and((!$in("modulus", record)), () => !$truth(record.sound("name", "preset"))));
+if (((named == null) && (($in("preset", record)) || $truth(unnamed)))) {
 return null;
 }
-(more = $map([...(function* () { for (const key of $iter([...$iter($c2628), "provenance"])) { yield [key, $b.getattr(preset, key)]; } })()]));
-(published = preset.sources);
-if (($in("thickness", record))) {
-([more, published] = [$map([...more, ["carcass", null]]), $map([])]);
+if ((named != null)) {
+(more = $map([...(function* () { for (const key of $iter([...$iter($c2628), "provenance"])) { yield [key, $b.getattr(named, key)]; } })()]));
+if (($in("modulus", record))) {
+(more = $map([...(function* () { for (const [key, value] of $iter($m.items(more))) { if (!((!$in(key, $c5884)))) continue; yield [key, value]; } })()]));
 }
-(mass = drive_build___preset_mass(record, preset));
+(published = changes__belt_sources(named));
+if ((($in("thickness", record)) || ($in("cord_diameter", record)))) {
+([more, published] = [$map([...more, ["carcass", null]]), drive_build___without(published, "carcass")]);
+}
+(mass = drive_build___preset_mass(record, named));
 if ((mass != null)) {
-([more, published] = [$map([...more, ["mass", mass]]), $merged(published, $map([["mass", belt_mass__layer_source(preset)]]))]);
+([more, published] = [$map([...more, ["mass", mass]]), $merged(published, $map([["mass", belt_mass__layer_source(named)]]))]);
 }
 (sources = $merged($merged(published, $map([...(function* () { for (const key of $iter($c2a894)) { if (!(($in(key, record)))) continue; yield [key, own]; } })()])), sources));
-} else {
-if (((!$in("modulus", record)) && $truth(record.sound("modulus")))) {
-(remedy = "Write modulus = \"12960 kN/m\", or choose a belt by preset.");
-if ($truth(record.sound("preset"))) {
-report.add([...$iter(record.place), "modulus"], "missing", remedy);
 }
+if (($in("elongation", record))) {
+(by_elongation = drive_build___modulus_of_elongation(record, more, report));
+if ((by_elongation == null)) {
+return null;
+}
+(more = $merged(more, by_elongation));
+(note = ("" + "by elongation, " + $str($at(record, "elongation"))));
+(sources = $map([...sources, ["modulus", new Provenance(undefined, undefined, undefined, note)]]));
+} else {
+if ((!$truth($common(new Set(["modulus"]), new Set([...$iter(more), ...$iter(record)]))) && $truth(record.sound("modulus", "elongation")))) {
+(remedy = "Write modulus = \"12960 kN/m\" or preset = \"EP 630/3\".");
+report.add([...$iter(record.place), "modulus"], "missing", remedy);
 return null;
 }
 }
 (more = $map([...(function* () { for (const [key, v] of $iter($m.items(more))) { if (!((($eq(key, "provenance")) || (!$in(key, record))))) continue; yield [key, v]; } })()]));
-(built = $method($c808d, "built", [record, report], [["sources", sources], ...more]));
-if (((built != null) || !$truth(record.sound("width", "modulus")))) {
+(origins = $map([["sources", sources], ["uncertainty", uncertainty]]));
+(built = $method($c808d, "built", [record, report], [...origins, ...more]));
+(known = $or(($in("modulus", more)), () => ($in("modulus", record))));
+if (((built != null) || !($truth(known) && $truth(record.sound("width", "modulus"))))) {
 return built;
 }
-(sound = new Record($b.dict(record), $bound(record, "place"), $bound(record, "raw")));
+(values = $map([...(function* () { for (const [key, value] of $iter($m.items(record))) { if (!((!$in(key, record.faulty)))) continue; yield [key, value]; } })()]));
+(sound = new Record(values, $bound(record, "place"), $bound(record, "raw")));
 (layers = ((!$truth(record.sound()) && $truth(record.sound(...$iter($c2d22), "thickness"))) ? report : new Report()));
 (built = $method($c808d, "built", [sound, layers], [["sources", $map([])], ...more]));
 $m.pop(sound, "thickness", null);
 return $or(built, () => $method($c808d, "built", [sound, new Report()], [["sources", $map([])], ...more]));
 }
 function origins__read_sources(record, keys, report) {
-let key, place, provenance, sources, table;
+let key, place, provenance, remedy, sources, table;
 
 (keys = [...(function* () { for (const key of $iter(keys)) { if (!((!$in(key, ["sources", "provenance", "name", "preset"])))) continue; yield key; } })()]);
 (sources = $map([]));
 for ([key, table] of $iter($m.items($m.get(record, "sources", $map([]))))) {
 if ((!$in(key, keys))) {
 (place = [...$iter(record.place), "sources", key]);
-report.add(place, "is no key of this table", tables__unknown_key_remedy(key, keys));
+(remedy = ($truth(report.full) ? "" : tables__unknown_key_remedy(key, keys)));
+report.add(place, "is no key of this table", remedy);
 } else {
 if ($truth($b.isinstance(table, Record))) {
 (provenance = origins__read_provenance(table, report));
@@ -141,10 +158,8 @@ function tables__unknown_key_remedy(key, known) {
 return $or(errors__nearest(key, known), () => ("" + "Write one of " + $str(errors__format_list([...$iter(known)])) + "."));
 }
 function errors__nearest(given, known, most = 3) {
-let texts;
 
-(texts = [...(function* () { for (const word of $iter(errors__near(given, known, most))) { yield $shown(word); } })()]);
-return ($truth(texts) ? ("" + "Did you mean " + $str($m.join(" or ", texts)) + "?") : "");
+return errors__did_you_mean([...(function* () { for (const word of $iter(errors__near(given, known, most))) { yield $shown(word); } })()]);
 }
 function errors__near(given, known, most = 3) {
 let alike, by_likeness, within, words;
@@ -186,6 +201,10 @@ return 0;
 (first = errors___alike($slice(one, null, at), $slice(other, null, there)));
 return $add($add(first, size), errors___alike($slice(one, $add(at, size), null), $slice(other, $add(there, size), null)));
 }
+function errors__did_you_mean(texts) {
+
+return ($truth(texts) ? ("" + "Did you mean " + $str($m.join(" or ", texts)) + "?") : "");
+}
 function errors__format_list(texts, most = 6) {
 let more;
 
@@ -195,211 +214,382 @@ return $m.join(", ", texts);
 }
 return ("" + $str($m.join(", ", $slice(texts, null, most))) + " and " + $str(more) + " more");
 }
+function uncertain__read_uncertainty(record, names, report) {
+let found, given, key, message, name, place, value;
+
+(found = $map([]));
+(given = $map([]));
+for ([key, value] of $iter($m.items($m.get(record, "uncertainty", $map([]))))) {
+([name, place] = [$m.get($c205c, key, key), [...$iter(record.place), "uncertainty", key]]);
+if ((!$in(name, names))) {
+report.add(place, "has no uncertainty", uncertain___remedy(key, names));
+} else {
+if (($in(name, given))) {
+(message = ("" + "contradicts that of " + $str($at(given, name))));
+report.add(place, message, "Remove one of them.", $at($at(record.raw, "uncertainty"), key));
+} else {
+if ((value !== $ca9ba)) {
+$put(found, name, value);
+}
+}
+}
+$m.setdefault(given, name, key);
+}
+return found;
+}
+function uncertain___remedy(key, names) {
+return (($b.len(names) > 1) ? tables__unknown_key_remedy(key, names) : ("" + "Write " + $str($at(names, 0)) + "."));
+}
 function origins__own_provenance(record, report) {
 let table;
 
 (table = $m.get(record, "provenance"));
 return ($truth($b.isinstance(table, Record)) ? origins__read_provenance(table, report) : null);
 }
-function loader__belt(name) {
+function drive_build___named_belt(record, report) {
+let before, found, name, place, problem, stated;
+
+(stated = $or(($in("modulus", record)), () => ($in("elongation", record))));
+if (($in("preset", record))) {
+([place, name] = [[...$iter(record.place), "preset"], $at(record, "preset")]);
+return report.tried((() => loader__belt(name, !$truth(stated))), place, name);
+}
+if ((($in("modulus", record)) || (!$in("name", record)) || !$truth(record.sound("modulus", "elongation")))) {
+return null;
+}
+([place, name] = [[...$iter(record.place), "name"], $at(record, "name")]);
+(before = $b.len($bound(report, "problems")));
+(found = report.tried((() => standard_belts__standard_belt(name)), place, name));
+(problem = (((found == null) || $truth(stated)) ? null : standard_belts__modulus_problem(found)));
+if ((problem != null)) {
+report.add(place, $bound(problem, "message"), $bound(problem, "remedy"), name);
+}
+if (($b.len($bound(report, "problems")) > before)) {
+record.faulty.add("name");
+return null;
+}
+return found;
+}
+function loader__belt(name, with_modulus = true) {
+let found, problem;
+
+(found = loader__find_belt(name));
+if ((found == null)) {
+throw loader__unknown_name("belt", name, (function* () { for (const b of $iter(belts())) { yield b.name; } })(), "wraparc belts");
+}
+(problem = ($truth(with_modulus) ? standard_belts__modulus_problem(found) : null));
+if ((problem != null)) {
+throw new InputError(problem);
+}
+return found;
+}
+function loader__find_belt(name) {
 let found, wanted;
 
 (wanted = $once(loader___plain, $kept_loader___plain)(name));
 (found = $b.next((function* () { for (const b of $iter(belts())) { if (!(($eq($once(loader___plain, $kept_loader___plain)($bound(b, "name")), wanted)))) continue; yield b; } })(), null));
-if ((found == null)) {
-throw loader__unknown_name("belt", name, (function* () { for (const b of $iter(belts())) { yield b.name; } })(), "wraparc belts");
-}
-return found;
+return $or(found, () => standard_belts__standard_belt(name));
 }
 function loader___plain(name) {
 return $m.join("", $m.split($m.casefold(name)));
 }
 const $kept_loader___plain = new Map();
-function loader__unknown_name(what, name, known, command) {
-let by_plain, remedy, texts;
+function standard_belts__standard_belt(name) {
+let ends, found, kind, modulus, note, of, over, rating, sources, strength;
 
-(by_plain = $map([...(function* () { for (const k of $iter(known)) { yield [$once(loader___plain, $kept_loader___plain)(k), k]; } })()]));
-(texts = [...(function* () { for (const key of $iter(errors__near($once(loader___plain, $kept_loader___plain)(name), by_plain))) { yield $shown($at(by_plain, key)); } })()]);
-(remedy = ($truth(texts) ? ("" + "Did you mean " + $str($m.join(" or ", texts)) + "?") : ("" + "List them: " + $str(command) + ".")));
-return errors__input_error(("" + "the catalogue has no " + $str(what) + " of this name"), remedy, undefined, undefined, $shown(name));
-}
-function drive_build___preset_mass(record, preset) {
-let known;
-
-(known = $b.all((function* () { for (const key of $iter(["width", "pulley_cover", "carry_cover"])) { yield ($in(key, record)); } })()));
-if ((!$truth(known) || ($in("carcass", record)) || ($in("mass", record)))) {
+(of = belt_names__parse_belt_name(name));
+if ((of == null)) {
 return null;
 }
-return belt_mass__layer_mass(preset, $at(record, "width"), $at(record, "pulley_cover"), $at(record, "carry_cover"));
+(kind = ($truth(of.is_steel) ? "steel cord" : "fabric"));
+([strength, rating, sources] = standard_belts___tensions(of, kind));
+([modulus, ends] = [NaN, null]);
+if (($in(of.carcass, $c88e4))) {
+(over = $at($c88e4, of.carcass));
+([modulus, ends] = [$mul(strength, over.value), [$mul(strength, over.least), $mul(strength, over.most)]]);
+(note = ("" + $format(over.value, ("" + "g")) + " times the strength, published " + $format(over.least, ("" + "g")) + " to " + $format(over.most, ("" + "g"))));
+$put(sources, "modulus", standard_belts___estimated($at($c849a, of.carcass), note));
 }
-function belt_mass__layer_mass(row, width, pulley_cover, carry_cover) {
+(found = new CatalogueBelt($m.join(" ", $m.split(name)), kind, rating, modulus, ends, strength, undefined, standard_belts___known($bound(of, "pulley_cover")), standard_belts___known($bound(of, "carry_cover")), undefined, undefined, undefined, undefined, undefined, undefined, undefined, new Provenance(undefined, undefined, undefined, ("" + "by its name: " + $str(of.standard))), sources));
+(found = ($truth(of.is_steel) ? standard_belts___with_cords(found, strength) : standard_belts___with_plies(found, of, strength)));
+return standard_belts___with_pulley(found, $bound(of, "carcass"));
+}
+function belt_names__parse_belt_name(name) {
+let found, pattern, text;
 
-if (((row.carcass_mass == null) || (row.cover_mass == null))) {
+(text = $m.join(" ", $m.split($m.upper($m.translate(name, $c01ee)))));
+(found = $m.fullmatch($c25ce, text));
+if ((found != null)) {
+return belt_names___textile(found, name);
+}
+(found = $m.fullmatch($c1fa2, text));
+if ((found != null)) {
+return belt_names___cords(found, name);
+}
+for (pattern of $iter($caeec)) {
+(found = $m.fullmatch(pattern, text));
+if ((found != null)) {
+return belt_names___rated(found, name);
+}
+}
+if (($truth($m.fullmatch($c77e8, text)) && $truth(belt_names__near_names(text)))) {
+throw belt_names___asked(name, "is no standard name of a belt", text);
+}
 return null;
 }
-return $mul(width, $add(row.carcass_mass, $mul(row.cover_mass, $add(pulley_cover, carry_cover))));
-}
-function belt_mass__layer_source(row) {
-let origin;
+function belt_names___textile(found, name) {
+let by_ply, carcass, plies, strength, wrong;
 
-(origin = ((row.carcass_source == null) ? row.provenance : row.carcass_source));
-return $replaced(origin, new Map([["note", ("" + $str("computed from carcass and covers") + "; " + $str(origin.note))]]));
+([strength, plies] = [$b.float($at(found, "strength")), $b.int($at(found, "plies"))]);
+if ($truth($at(found, "piw"))) {
+return belt_names___rated(found, name);
 }
-function conditions__build_conditions(record, report) {
-let cases, main, problem, rows;
+([carcass, by_ply] = [$at(found, "carcass"), []]);
+if ((($in(strength, $c84f8)) && (1 <= plies && plies <= 8))) {
+(by_ply = [("" + $str(carcass) + " " + $format($mul(strength, plies), ("" + "g")) + "/" + $str(plies))]);
+}
+if (!$truth(belt_names___is_woven(strength, plies))) {
+(wrong = ("" + "no belt has " + $format(strength, ("" + "g")) + " N/mm in " + $str(plies) + " " + $str((($eq(plies, 1)) ? "ply" : "plies"))));
+throw belt_names___asked(name, wrong, ("" + $str(carcass) + " " + $format(strength, ("" + "g")) + "/" + $str(plies)), by_ply);
+}
+if ((($eq($at(found, "sign"), "X")) && $truth(by_ply))) {
+(wrong = ("" + $format(strength, ("" + "g")) + " N/mm may be that of a ply or of all"));
+throw belt_names___asked(name, wrong, "", [...$iter(by_ply), ("" + $str(carcass) + " " + $format(strength, ("" + "g")) + "/" + $str(plies))]);
+}
+return new BeltName($at(found, "carcass"), $mul(1000.0, strength), NaN, plies, ...$iter(belt_names___covers(found, name)));
+}
+function belt_names___rated(found, name) {
+let plies, rating, tension;
+([rating, plies] = [$b.float($at(found, "strength")), $b.int($or($at(found, "plies"), () => 0))]);
+if ((plies > 8)) {
+throw belt_names___asked(name, ("" + "no belt has " + $str(plies) + " plies"), ("" + $format(rating, ("" + "g")) + " PIW"));
+}
+(tension = $mul(rating, parse__unit_factor("PIW", "force_per_width")));
+return new BeltName("PIW", NaN, tension, plies, ...$iter(belt_names___covers(found, name)));
+}
+function belt_names___asked(name, message, text, first = null) {
+let meant, names, remedy;
+(names = [...$iter($or(first, () => [])), ...$iter(($truth(text) ? belt_names__near_names(text) : []))]);
+(meant = [...(function* () { for (const known of $iter($b.fromkeys($slice(names, null, 3)))) { yield $shown(known); } })()]);
+(remedy = $or(errors__did_you_mean(meant), () => "Write for example \"EP 630/3\"."));
+return new InputError(new Problem(message, remedy, undefined, undefined, $shown(name)));
+}
+function belt_names__near_names(text) {
+let names, plain;
 
-(rows = [...(function* () { for (const row of $iter($m.get(record, "condition", []))) { if (!((row !== $c2f8b))) continue; yield row; } })()]);
-(main = [...(function* () { for (const row of $iter(rows)) { yield [conditions__condition_of(row, report), ["condition"]]; } })()]);
-for (problem of $iter(drive__repeated("condition", (function* () { for (const [condition, _] of $iter(main)) { yield condition.name; } })()))) {
-report.take(new InputError(problem), []);
+(plain = belt_names___plain(text));
+(names = $map([...(function* () { for (const known of $iter(belt_names___standard_names())) { yield [belt_names___plain(known), known]; } })()]));
+return [...(function* () { for (const key of $iter(errors__near(plain, names))) { yield $at(names, key); } })()];
 }
-(cases = [...(function* () { for (const case_ of $iter($or($m.get(record, "load_case"), () => []))) { if (!(($truth($b.isinstance(case_, Record)) && ($in("condition", case_))))) continue; yield [conditions__condition_of($at(case_, "condition"), report), [...$iter(case_.place), "condition"]]; } })()]);
-return new Conditions($b.tuple(main), $b.tuple(cases));
+function belt_names___plain(text) {
+return $m.sub($cb164, "", $m.translate($m.upper(text), $cade6));
 }
-function conditions__condition_of(value, report) {
-let factors, made, source;
+function belt_names___standard_names() {
+let textile;
 
-if (!$truth($b.isinstance(value, Record))) {
-return new Condition($b.str(value));
+(textile = [...(function* () { for (const carcass of $iter(["EP", "PN", "EE", "NN"])) { for (const strength of $iter($c3cf7)) { for (const plies of $iter($b.range(2, 7))) { if (!(($at($c84f8, 0) <= (strength / plies) && (strength / plies) <= $at($c84f8, $neg(1))))) continue; yield ("" + $str(carcass) + " " + $str(strength) + "/" + $str(plies)); }}} })()]);
+return $add(textile, [...(function* () { for (const strength of $iter($c65c8)) { yield ("" + "ST " + $str(strength)); } })()]);
 }
-(factors = $m.get(value, "friction_factors", $map([])));
-(source = $or(origins__own_provenance(value, report), () => new Provenance()));
-(made = $method($c0bb9, "built", [value, report], [["factors", factors], ["source", source]]));
-return $or(made, () => new Condition($b.str($m.get(value, "name", "dry"))));
-}
-function drive__repeated(key, names) {
-let found;
+function parse__unit_factor(unit, dimension) {
+let resolved;
 
-(found = $b.list(names));
-if (($eq($b.len($b.set(found)), $b.len(found)))) {
-return [];
+(resolved = parse___checked_unit(unit, dimension, unit));
+if ($truth(resolved.zero)) {
+throw parse___refused(unit, "has its zero elsewhere than 0 K", "Convert the column to K.");
 }
-return [...(function* () { for (const [name, count] of $iter($m.items($b.Counter(found)))) { if (!((count > 1))) continue; yield new Problem(("" + "used " + $str(count) + " times"), "Give each its own name.", undefined, ("" + $str(key) + ".name"), $shown(name)); } })()];
+return $b.float($bound(resolved, "factor"));
 }
-function drive_build__build_pulley(record, laggings, conditions, report) {
-let built, by_name, found, found_before, lagging, laws, more, own, place, sources, sure, wrap;
+function parse___checked_unit(text, dimension, given, example = "") {
+let error, found, kind, measured, message, remedy, unit;
+(kind = $at($c22c8, dimension));
+try {
+(unit = $once(parse___resolve, $kept_parse___resolve)(text, ($in(dimension, $c33fe))));
+} catch ($error) {
+if ($error instanceof _UnitTextError) {
+error = $error;
+(remedy = $or(error.remedy, () => parse___meant(text, error, dimension, example)));
+throw parse___refused(given, $b.str(error), remedy);
+} else throw $error;
+}
+if ((!$eq(unit.powers, $once(parse___powers, $kept_parse___powers)(dimension)))) {
+(measured = parse__dimension_of(text));
+(found = ($truth(measured) ? $at($c22c8, measured).name : "of no dimension used here"));
+(message = ("" + $str(found) + ", where " + $str(kind.name) + " is needed"));
+(remedy = $or(parse___by_gravity(text, dimension), () => parse___for_example(dimension, example)));
+throw parse___refused(given, message, remedy);
+}
+return unit;
+}
+function parse___meant(text, error, dimension, example) {
+let fits, forces, texts, tons, units;
 
-(sources = origins__read_sources(record, (function* () { for (const e of $iter($c06ce)) { yield e.key; } })(), report));
-(laws = []);
-if (($in("lagging", record))) {
-(laws = laggings.of($at(record, "lagging"), [...$iter(record.place), "lagging"]));
-}
-if (!$truth(laws)) {
-return null;
-}
-(own = [...(function* () { for (const [c, place] of $iter($slice(conditions.main, null, 1))) { yield [c, place]; } })()]);
-if (($in("condition", record))) {
-(place = [...$iter(record.place), "condition"]);
-(own = [[conditions__condition_of($at(record, "condition"), report), place]]);
-}
-(found = [...(function* () { for (const [c, place] of $iter([...$iter(own), ...$iter(conditions.several)])) { yield report.tried((() => conditions__at_its_place(c, laws)), place); } })()]);
-(sure = [...(function* () { for (const lagging of $iter(found)) { if (!((lagging != null))) continue; yield lagging; } })()]);
-if (($b.len(sure) < $b.len(found))) {
-return null;
-}
-(lagging = ($truth(own) ? $at(sure, 0) : $at(laws, 0)));
-(by_name = $map([...(function* () { for (const lag of $iter($slice(sure, $b.len(own), null))) { yield [lag.condition, lag]; } })()]));
-(more = $map([["conditions", $b.tuple($m.values(by_name))]]));
-if (($in("belt_path", record))) {
-(wrap = drive_build___wrap_of(record, report));
-if ((wrap == null)) {
-return null;
-}
-{ const [$v0, $v1] = [wrap, $map([["wrap_angle", $c2aaf], ...sources])]; $put(more, "wrap_angle", $v0); (sources = $v1); }
-}
-if (($in("across", record))) {
-(found_before = $b.len($bound(report, "problems")));
-$put(more, "across", across_keys__build_across($at(record, "across"), report));
-if (($b.len($bound(report, "problems")) > found_before)) {
-return null;
+if (($in(error.name, $c1360))) {
+(tons = [["t", "1000 kg"], ["ston", "2000 lb"], ["lton", "2240 lb"]]);
+(forces = [["tf", "1000 kgf"], ["kip", "1000 lbf"]]);
+for (units of $iter([tons, forces])) {
+if ($truth(parse___fits($m.replace(text, $bound(error, "name"), $at($at(units, 0), 0)), dimension))) {
+(texts = [...(function* () { for (const [unit, size] of $iter(units)) { yield ("" + $str($m.replace(text, $bound(error, "name"), unit)) + " (" + $str(size) + ")"); } })()]);
+return ("" + "Write " + $str($m.join(", ", $slice(texts, null, $neg(1)))) + " or " + $str($at(texts, $neg(1))) + ".");
 }
 }
-(built = $method($c706c, "built", [record, report], [["lagging", lagging], ["sources", sources], ...more]));
-return built;
 }
-function conditions__at_its_place(condition, laws) {
-let error;
+(fits = [...(function* () { for (const name of $iter(error.meant)) { if (!($truth(parse___fits($m.replace(text, $bound(error, "name"), name), dimension)))) continue; yield name; } })()]);
+(fits = $or(fits, () => parse___corrected(text, dimension, 3)));
+if ($truth(fits)) {
+return errors__did_you_mean($slice(fits, null, 2));
+}
+return parse___for_example(dimension, example);
+}
+function parse___fits(text, dimension) {
 
 try {
-return condition.of(laws);
+return ($eq($once(parse___resolve, $kept_parse___resolve)(text, ($in(dimension, $c33fe))).powers, $once(parse___powers, $kept_parse___powers)(dimension)));
 } catch ($error) {
-if ($error instanceof InputError) {
-error = $error;
-throw new InputError((function* () { for (const p of $iter(error.problems)) { yield $replaced(p, new Map([["key", ""], ["value", $shown($bound(condition, "name"))]])); } })());
+if ($error instanceof _UnitTextError) {
+return false;
 } else throw $error;
 }
 }
-function drive_build___wrap_of(record, report) {
-let own, path, remedy;
+function parse___resolve(text, of_mass = false) {
+return parse___evaluate(text, ($truth(of_mass) ? $once(parse___units_of_mass, $kept_parse___units_of_mass)() : $once(parse___units, $kept_parse___units)()));
+}
+const $kept_parse___resolve = new Map();
+function parse___units_of_mass() {
+let known;
 
-(path = $at(record, "belt_path"));
-if (($in("wrap_angle", record))) {
-(remedy = "Leave one of them out.");
-report.add([...$iter(record.place), "wrap_angle"], "belt_path gives it already", remedy);
+(known = $once(parse___units, $kept_parse___units)());
+return $merged(known, $b.fromkeys(["lb", "lbs"], $at(known, "lbm")));
+}
+const $kept_parse___units_of_mass = new Map();
+function parse___units() {
+let definition, known, of, size, unit;
+
+(size = $b.len($c388d));
+(known = $map([...(function* () { for (const [i, name] of $iter($b.enumerate($c388d))) { yield [name, new Unit($b.Decimal(1), $b.tuple((function* () { for (const j of $iter($b.range(size))) { yield $b.int(($eq(i, j))); } })()))]; } })()]));
+for (definition of $iter($c50ba)) {
+(of = parse___evaluate($bound(definition, "unit"), known));
+(unit = new Unit($mul(definition.factor, of.factor), $bound(of, "powers"), $bound(definition, "zero")));
+$m.update(known, $b.fromkeys(definition.names, unit));
+}
+return known;
+}
+const $kept_parse___units = new Map();
+function parse___evaluate(text, known) {
+let factors, match, message, name, over, plain, power, powers, product, under, unit;
+(plain = $m.replace($m.strip($m.translate(text, $cdac1)), "**", "^"));
+if (($in(plain, known))) {
+return $at(known, plain);
+}
+(match = (($b.len(plain) <= 40) ? $m.fullmatch($c0fad, plain) : null));
+if ((match == null)) {
+throw new _UnitTextError(("" + "the unit " + $str($shown(text)) + " cannot be read"));
+}
+([over, under] = [$or($at(match, "over"), () => ""), $or($at(match, "one"), () => $or($at(match, "under"), () => ""))]);
+(factors = [...(function* () { for (const [name, power] of $iter($m.findall($c09cc, over))) { yield [name, $b.int($or(power, () => 1))]; } })()]);
+(factors = $add(factors, [...(function* () { for (const [name, power] of $iter($m.findall($c09cc, under))) { yield [name, $neg($b.int($or(power, () => 1)))]; } })()]));
+if ((($eq($b.len(factors), 1)) && ($eq($at($at(factors, 0), 1), 1)))) {
+return parse___named($at($at(factors, 0), 0), known);
+}
+(product = new Unit($b.Decimal(1), $mul([0], $b.len($c388d))));
+for ([name, power] of $iter(factors)) {
+(unit = parse___named(name, known));
+if ($truth(unit.zero)) {
+(message = ("" + $str(name) + " cannot be part of a compound unit: its zero is not 0 K"));
+throw new _UnitTextError(message, "Use K.");
+}
+(powers = $b.tuple((function* () { for (const [a, b] of $iter($b.zip($bound(product, "powers"), $bound(unit, "powers"), $k({strict: true})))) { yield $add(a, $mul(power, b)); } })()));
+(product = new Unit($mul(product.factor, $pow(unit.factor, power)), powers));
+}
+return product;
+}
+function parse___named(name, known) {
+let meant, same_but_case, unit;
+(unit = $m.get(known, name));
+if ((unit != null)) {
+return unit;
+}
+if (($in(name, $c1360))) {
+throw new _UnitTextError(("" + $str(name) + " may be metric, short or long"), "", name);
+}
+(same_but_case = [...(function* () { for (const other of $iter(known)) { if (!(($eq($m.casefold(other), $m.casefold(name))))) continue; yield other; } })()]);
+(meant = $b.tuple($or(same_but_case, () => errors__near(name, known, 8))));
+throw new _UnitTextError(("" + "unknown unit " + $str($shown(name))), "", name, meant);
+}
+function parse___powers(dimension) {
+return $once(parse___resolve, $kept_parse___resolve)($bound($at($c22c8, dimension), "si_unit")).powers;
+}
+const $kept_parse___powers = new Map();
+function parse___corrected(text, dimension, most) {
+let error, found, name;
+
+try {
+$once(parse___resolve, $kept_parse___resolve)(text, ($in(dimension, $c33fe)));
+} catch ($error) {
+if ($error instanceof _UnitTextError) {
+error = $error;
+for (name of $iter(($truth(most) ? error.meant : []))) {
+(found = parse___corrected($m.replace(text, $bound(error, "name"), name), dimension, $sub(most, 1)));
+if ($truth(found)) {
+return found;
+}
+}
+return [];
+} else throw $error;
+}
+return ($truth(parse___fits(text, dimension)) ? [$m.strip(text)] : []);
+}
+function parse___for_example(dimension, example) {
+return ("" + "Write for example " + $str($shown($or(example, () => $at($c22c8, dimension).example))) + ".");
+}
+function parse___refused(given, message, remedy) {
+return errors__input_error(message, remedy, undefined, undefined, $shown(given));
+}
+function parse__dimension_of(unit) {
+let powers;
+
+try {
+(powers = $once(parse___resolve, $kept_parse___resolve)(unit).powers);
+} catch ($error) {
+if ($error instanceof _UnitTextError) {
 return null;
+} else throw $error;
 }
-if ((!$truth($b.isinstance(path, Record)) || !$truth(path.sound()) || (!$in("diameter", record)))) {
-return null;
+if ((($in("J", unit)) && ($eq(powers, $once(parse___powers, $kept_parse___powers)("energy_per_area"))))) {
+return "energy_per_area";
 }
-function point(given, more = new Map()) {
-return $call(Point, [], [...$map([...(function* () { for (const key of $iter($ca18b)) { if (!(($in(key, given)))) continue; yield [key, $at(given, key)]; } })()]), ...more]);
+return $b.next((function* () { for (const name of $iter($c5fbb)) { if (!(($eq($once(parse___powers, $kept_parse___powers)(name), powers)))) continue; yield name; } })(), null);
 }
-$sig(point, ["given"], true);
-(own = $call(point, [path], [["diameter", $at(record, "diameter")]]));
-return report.tried((() => belt_path__wrap_angle(point($at(path, "before")), own, point($at(path, "after")))), $bound(path, "place"));
-}
-function belt_path__wrap_angle(before, pulley, after) {
+function parse___by_gravity(text, dimension) {
+let meant, other, pattern, replaced;
 
-limits__raise_all(belt_path__overlaps(before, pulley, after));
-return belt_path__turned_by(before, pulley, after);
+for ([pattern, other, meant] of $iter($ca649)) {
+(replaced = $m.sub(pattern, other, text));
+if (((!$eq(replaced, text)) && $truth(parse___fits(replaced, dimension)))) {
+return ("" + "Write " + $str($m.strip(replaced)) + " if it is " + $str(meant) + ".");
 }
-function belt_path__overlaps(before, pulley, after) {
-let distance, end, key, message, problems, remedy;
+}
+return "";
+}
+function belt_names___covers(found, name) {
+let carry, covers, inch, message, parts, pulley;
 
-(problems = []);
-for ([end, key] of $iter([[before, "before"], [after, "after"]])) {
-(distance = $math.hypot($sub(end.x, pulley.x), $sub(end.y, pulley.y)));
-if (((distance < ($add(end.diameter, pulley.diameter) / 2.0)) || ($eq(distance, 0.0)))) {
-(message = ("" + "overlaps the pulley: their centres are " + $str(display__display(distance, "length")) + " apart"));
-(remedy = "Check the coordinates and the diameters.");
-$m.append(problems, new Problem(message, remedy, undefined, key));
+(covers = [NaN, NaN]);
+if (($at(found, "carry") != null)) {
+([carry, pulley] = (function* () { for (const key of $iter(["carry", "pulley"])) { yield ("" + $str($m.replace($at(found, key), ",", ".")) + " mm"); } })());
+(covers = [parse__parse_quantity(carry, "length"), parse__parse_quantity(pulley, "length")]);
+} else {
+if (($at(found, "top") != null)) {
+(inch = parse__unit_factor("in", "length"));
+(parts = [...(function* () { for (const key of $iter(["top", "bottom"])) { yield $m.split($at(found, key), "/"); } })()]);
+(covers = [($mul(inch, $b.float($at($at(parts, 0), 0))) / $b.float($at($at(parts, 0), 1))), ($mul(inch, $b.float($at($at(parts, 1), 0))) / $b.float($at($at(parts, 1), 1)))]);
 }
 }
-return problems;
+if ((($at(covers, 0) > 0.035) || ($at(covers, 1) > 0.035))) {
+(message = ("" + "no cover is thicker than " + $format($mul(1000.0, 0.035), ("" + "g")) + " mm"));
+throw new InputError(new Problem(message, "Write covers as \"6+3\", in mm.", undefined, undefined, $shown(name)));
 }
-function display__display(value, dimension, system = "si", digits = 4) {
-
-return display__joined(display__parts(value, dimension, system, digits));
+return [$at(covers, 0), $at(covers, 1), $m.strip($or($at(found, "grade"), () => ""), " -,")];
 }
-function display__parts(value, dimension, system, digits) {
-let bound, factor, number, other, row, size, unit, zero;
-
-(row = $once(display__unit_row, $kept_display__unit_row)(dimension, system));
-([unit, number] = [row.unit, (value / row.factor)]);
-if ((($b.abs(number) < 1e-09) && (!$eq(dimension, "wear_coefficient")))) {
-(number = 0.0);
-}
-(size = $b.abs(digits__read(digits__rounded(number, digits))));
-for ([bound, other, factor, zero] of $iter(row.larger)) {
-if ((bound <= size && size < Infinity)) {
-([unit, number] = [other, ($sub(value, zero) / factor)]);
-}
-}
-return [digits__rounded(number, digits), unit];
-}
-function display__unit_row(dimension, system) {
-let larger, more, one, unit, zero;
-
-([unit, more] = $at($at($cd5a9, system), dimension));
-if (($eq(dimension, "temperature"))) {
-(zero = parse__parse_quantity(("" + "0 " + $str(unit)), dimension));
-(one = parse__parse_quantity(("" + "1 " + $str(unit)), dimension));
-return new UnitRow("K", 1.0, [[0.0, unit, $sub(one, zero), zero]]);
-}
-(larger = $b.tuple((function* () { for (const [bound, name] of $iter(more)) { yield [bound, name, parse__unit_factor(name, dimension), 0.0]; } })()));
-return new UnitRow(unit, parse__unit_factor(unit, dimension), larger);
-}
-const $kept_display__unit_row = new Map();
 function parse__parse_quantity(value, dimension, example = "") {
 let kind, problem;
 
@@ -442,12 +632,6 @@ let kind, message;
 (kind = $at($c22c8, dimension));
 (message = ("" + "no unit, where " + $str(kind.name) + " is needed"));
 return parse___refused(value, message, ("" + "Write the unit too, for example " + $str($shown($or(example, () => kind.example))) + "."));
-}
-function parse___refused(given, message, remedy) {
-return errors__input_error(message, remedy, undefined, undefined, $shown(given));
-}
-function parse___for_example(dimension, example) {
-return ("" + "Write for example " + $str($shown($or(example, () => $at($c22c8, dimension).example))) + ".");
 }
 function parse___read(text, dimension, example) {
 let number, unit, unit_text;
@@ -537,119 +721,340 @@ throw numbers___refused(given, "its exponent is out of range", "Check the expone
 }
 return $b.Decimal(digits);
 }
-function parse___checked_unit(text, dimension, given, example = "") {
-let error, found, kind, measured, message, remedy, unit;
-(kind = $at($c22c8, dimension));
-try {
-(unit = $once(parse___resolve, $kept_parse___resolve)(text));
-} catch ($error) {
-if ($error instanceof _UnitTextError) {
-error = $error;
-(remedy = $or(error.remedy, () => parse___meant(text, error, dimension, example)));
-throw parse___refused(given, $b.str(error), remedy);
-} else throw $error;
-}
-if ((!$eq(unit.powers, $once(parse___powers, $kept_parse___powers)(dimension)))) {
-(measured = parse__dimension_of(text));
-(found = ($truth(measured) ? $at($c22c8, measured).name : "of no dimension used here"));
-(message = ("" + $str(found) + ", where " + $str(kind.name) + " is needed"));
-throw parse___refused(given, message, parse___for_example(dimension, example));
-}
-return unit;
-}
-function parse___meant(text, error, dimension, example) {
-let compound, fits, powers;
+function belt_names___is_woven(strength, plies) {
+let known;
 
-([powers, compound] = [$once(parse___powers, $kept_parse___powers)(dimension), (!$eq($m.strip(text), error.name))]);
-(fits = [...(function* () { for (const name of $iter(error.meant)) { if (!(($truth(compound) || ($eq($at($once(parse___units, $kept_parse___units)(), name).powers, powers))))) continue; yield name; } })()]);
-if ($truth(fits)) {
-return ("" + "Did you mean " + $str($m.join(" or ", $slice(fits, null, 2))) + "?");
+(known = $or(($in(strength, $c3cf7)), () => $b.any((function* () { for (const ply of $iter($c84f8)) { yield ($eq(strength, $mul(plies, ply))); } })())));
+return $and(known, () => $and((1 <= plies && plies <= 8), () => ($at($c3d44, 0) <= (strength / plies) && (strength / plies) <= $at($c3d44, 1))));
 }
-return parse___for_example(dimension, example);
+function belt_names___cords(found, name) {
+let strength;
+(strength = $b.float($at(found, "strength")));
+if ((!$in(strength, $c65c8))) {
+throw belt_names___asked(name, ("" + "no type ST " + $format(strength, ("" + "g")) + " is listed"), ("" + "ST " + $format(strength, ("" + "g"))));
 }
-function parse___powers(dimension) {
-return $once(parse___resolve, $kept_parse___resolve)($bound($at($c22c8, dimension), "si_unit")).powers;
+return new BeltName("ST", $mul(1000.0, strength), NaN, 0, ...$iter(belt_names___covers(found, name)));
 }
-const $kept_parse___powers = new Map();
-function parse___resolve(text) {
-return parse___evaluate(text, $once(parse___units, $kept_parse___units)());
-}
-const $kept_parse___resolve = new Map();
-function parse___units() {
-let definition, known, of, size, unit;
+function standard_belts___tensions(of, kind) {
+let note, rating, safety, source;
 
-(size = $b.len($c388d));
-(known = $map([...(function* () { for (const [i, name] of $iter($b.enumerate($c388d))) { yield [name, new Unit($b.Decimal(1), $b.tuple((function* () { for (const j of $iter($b.range(size))) { yield $b.int(($eq(i, j))); } })()))]; } })()]));
-for (definition of $iter($c50ba)) {
-(of = parse___evaluate($bound(definition, "unit"), known));
-(unit = new Unit($mul(definition.factor, of.factor), $bound(of, "powers"), $bound(definition, "zero")));
-$m.update(known, $b.fromkeys(definition.names, unit));
+if (($eq(of.carcass, "PIW"))) {
+(source = "CWP and Skecon, conveyor belt strength");
+(note = ("" + $format(10.0, ("" + "g")) + " times the rated tension, makers have 8 to 10"));
+return [$mul(10.0, of.rating), of.rating, $map([["strength", standard_belts___estimated(source, note)]])];
 }
-return known;
+(safety = $at($c60ad, kind));
+(note = ("" + "strength over " + $format(safety.value, ("" + ".3g")) + ", makers have " + $format(safety.least, ("" + ".3g")) + " to " + $format(safety.most, ("" + ".3g"))));
+(rating = $map([["rating", standard_belts___estimated($at($c22da, kind), note)]]));
+return [of.strength, (of.strength / safety.value), rating];
 }
-const $kept_parse___units = new Map();
-function parse___evaluate(text, known) {
-let factors, match, message, name, over, plain, power, powers, product, under, unit;
-(plain = $m.replace($m.strip($m.translate(text, $cdac1)), "**", "^"));
-if (($in(plain, known))) {
-return $at(known, plain);
+function standard_belts___estimated(source, note) {
+return new Provenance("published", source, undefined, ("" + "estimated: " + $str(note)));
 }
-(match = (($b.len(plain) <= 40) ? $m.fullmatch($c0fad, plain) : null));
-if ((match == null)) {
-throw new _UnitTextError(("" + "the unit " + $str($shown(text)) + " cannot be read"));
+function standard_belts___known(value) {
+return (($eq(value, value)) ? value : null);
 }
-([over, under] = [$or($at(match, "over"), () => ""), $or($at(match, "one"), () => $or($at(match, "under"), () => ""))]);
-(factors = [...(function* () { for (const [name, power] of $iter($m.findall($c09cc, over))) { yield [name, $b.int($or(power, () => 1))]; } })()]);
-(factors = $add(factors, [...(function* () { for (const [name, power] of $iter($m.findall($c09cc, under))) { yield [name, $neg($b.int($or(power, () => 1)))]; } })()]));
-if ((($eq($b.len(factors), 1)) && ($eq($at($at(factors, 0), 1), 1)))) {
-return parse___named($at($at(factors, 0), 0), known);
-}
-(product = new Unit($b.Decimal(1), $mul([0], $b.len($c388d))));
-for ([name, power] of $iter(factors)) {
-(unit = parse___named(name, known));
-if ($truth(unit.zero)) {
-(message = ("" + $str(name) + " cannot be part of a compound unit: its zero is not 0 K"));
-throw new _UnitTextError(message, "Use K.");
-}
-(powers = $b.tuple((function* () { for (const [a, b] of $iter($b.zip($bound(product, "powers"), $bound(unit, "powers"), $k({strict: true})))) { yield $add(a, $mul(power, b)); } })()));
-(product = new Unit($mul(product.factor, $pow(unit.factor, power)), powers));
-}
-return product;
-}
-function parse___named(name, known) {
-let meant, same_but_case, unit;
-(unit = $m.get(known, name));
-if ((unit != null)) {
-return unit;
-}
-(same_but_case = [...(function* () { for (const other of $iter(known)) { if (!(($eq($m.casefold(other), $m.casefold(name))))) continue; yield other; } })()]);
-(meant = $b.tuple($or(same_but_case, () => errors__near(name, known, 8))));
-throw new _UnitTextError(("" + "unknown unit " + $str($shown(name))), "", name, meant);
-}
-function parse__dimension_of(unit) {
-let powers;
+function standard_belts___with_cords(belt, strength) {
+let cords, sources;
 
-try {
-(powers = $once(parse___resolve, $kept_parse___resolve)(unit).powers);
-} catch ($error) {
-if ($error instanceof _UnitTextError) {
+(cords = $m.get($c9cad, $b.round($mul(0.001, strength))));
+if ((cords == null)) {
+return belt;
+}
+(sources = $map([...belt.sources, ["carcass", standard_belts___estimated($bound(cords, "source"), "cord diameter, makers differ by 8 %")], ["carcass_mass", standard_belts___estimated($at($cb302, "steel cord"), "by strength and cords, to 7 %")], ["cover_mass", standard_belts___estimated($at($cb302, "steel cord"), "covers of the same catalogue")]]));
+if ((standard_belts___known($bound(cords, "pitch")) != null)) {
+$put(sources, "cord_pitch", standard_belts___estimated($bound(cords, "source"), "cord pitch, makers differ"));
+}
+return $replaced(belt, new Map([["carcass", cords.diameter], ["cord_pitch", standard_belts___known($bound(cords, "pitch"))], ["carcass_mass", $add($mul(3.2e-06, strength), $mul(1250.0, cords.diameter))], ["cover_mass", 1150.0], ["sources", sources]]));
+}
+function standard_belts___with_plies(belt, of, strength) {
+let key, mass, note, ply, share, spread, thickness;
+
+if (($eq(of.plies, 0))) {
+return belt;
+}
+([share, spread, key] = [1.0, $ca34d, "EP"]);
+if (($eq(of.carcass, "NN"))) {
+([share, spread, key] = [0.85, $cf010, "NN"]);
+} else {
+if (($in(of.carcass, $cc26f))) {
+(spread = [$mul($at($cf010, 0), 0.85), $at($ca34d, 1)]);
+}
+}
+(ply = $mul(share, $add(0.0007, ($mul(3e-09, strength) / of.plies))));
+(thickness = ($b.round($mul($mul(10000.0, of.plies), ply)) / 10000.0));
+(note = ("" + "by plies and their strength, published " + $format($at(spread, 0), ("" + ".2g")) + " to " + $format($at(spread, 1), ("" + ".3g")) + " of it"));
+(mass = ("" + $format($mul(0.001, 1100.0), ("" + "g")) + " kg/m2 a mm of carcass, published 0.9 to 1.25"));
+return $replaced(belt, new Map([["carcass", thickness], ["carcass_mass", $mul(1100.0, thickness)], ["cover_mass", 1200.0], ["sources", $map([...belt.sources, ["carcass", standard_belts___estimated($at($c4e18, key), note)], ["carcass_mass", standard_belts___estimated($at($cb302, "fabric"), mass)], ["cover_mass", standard_belts___estimated($at($cb302, "fabric"), "covers of the same catalogue")]])]]));
+}
+function standard_belts___with_pulley(belt, carcass) {
+let least, note, sizes, source;
+
+if (((belt.carcass == null) || (!$in(carcass, $c197d)))) {
+return belt;
+}
+(least = $mul($at($c197d, carcass), belt.carcass));
+(sizes = [...(function* () { for (const size of $iter($c4076)) { if (!((size >= $sub(least, 1e-09)))) continue; yield size; } })()]);
+if (!$truth(sizes)) {
+return belt;
+}
+(note = ("" + $format($at($c197d, carcass), ("" + "g")) + " times the thickness of the tension member, rounded up"));
+(source = $map([["least_pulley_diameter", standard_belts___estimated("DIN 22101, group A", note)]]));
+return $replaced(belt, new Map([["least_pulley_diameter", $at(sizes, 0)], ["sources", $map([...belt.sources, ...source])]]));
+}
+function loader__unknown_name(what, name, known, command) {
+let by_plain, remedy, texts;
+
+(by_plain = $map([...(function* () { for (const k of $iter(known)) { yield [$once(loader___plain, $kept_loader___plain)(k), k]; } })()]));
+(texts = [...(function* () { for (const key of $iter(errors__near($once(loader___plain, $kept_loader___plain)(name), by_plain))) { yield $shown($at(by_plain, key)); } })()]);
+(remedy = $or(errors__did_you_mean(texts), () => ("" + "List them: " + $str(command) + ".")));
+return errors__input_error(("" + "the catalogue has no " + $str(what) + " of this name"), remedy, undefined, undefined, $shown(name));
+}
+function standard_belts__modulus_problem(belt) {
+let of, options, size;
+
+if (($eq(belt.modulus, belt.modulus))) {
 return null;
+}
+(of = belt_names__parse_belt_name($bound(belt, "name")));
+if ((of == null)) {
+return null;
+}
+(size = ("" + $format($mul(0.001, of.strength), ("" + "g")) + "/" + $str(of.plies)));
+(options = [...(function* () { for (const carcass of $iter($m.get($cc26f, $bound(of, "carcass"), []))) { yield $shown(("" + $str(carcass) + " " + $str(size))); } })()]);
+return new Problem(("" + "warp of " + $str(of.carcass) + " is polyester or polyamide"), ("" + "Write " + $str($m.join(" or ", options)) + ", or give modulus or elongation."), undefined, undefined, $shown($bound(belt, "name")));
+}
+function changes__belt_sources(row) {
+
+return $map([...(function* () { for (const [key, of] of $iter($m.items(row.sources))) { if (!(($in(key, $c2a894)))) continue; yield [key, of]; } })()]);
+}
+function drive_build___without(sources, key) {
+return $map([...(function* () { for (const [name, of] of $iter($m.items(sources))) { if (!((!$eq(name, key)))) continue; yield [name, of]; } })()]);
+}
+function drive_build___preset_mass(record, preset) {
+let carry, own, pulley;
+
+([pulley, carry] = (function* () { for (const key of $iter(["pulley_cover", "carry_cover"])) { yield $m.get(record, key, $b.getattr(preset, key)); } })());
+(own = $common(new Set(["carcass", "cord_diameter", "mass"]), new Set([...$iter(record)])));
+if (((!$in("width", record)) || (pulley == null) || (carry == null) || $truth(own))) {
+return null;
+}
+return belt_mass__layer_mass(preset, $at(record, "width"), pulley, carry);
+}
+function belt_mass__layer_mass(row, width, pulley_cover, carry_cover) {
+
+if (((row.carcass_mass == null) || (row.cover_mass == null))) {
+return null;
+}
+return $mul(width, $add(row.carcass_mass, $mul(row.cover_mass, $add(pulley_cover, carry_cover))));
+}
+function belt_mass__layer_source(row) {
+let notes, origin;
+
+(origin = $m.get(row.sources, "carcass_mass", $m.get(row.sources, "carcass", $bound(row, "provenance"))));
+(notes = ["computed from carcass and covers", origin.note]);
+if ($truth($m.startswith(origin.note, "estimated"))) {
+(notes = [origin.note, "computed from carcass and covers"]);
+}
+return $replaced(origin, new Map([["note", $m.join("; ", notes)]]));
+}
+function drive_build___modulus_of_elongation(record, named, report) {
+let of, place, remedy, strength;
+
+(place = [...$iter(record.place), "elongation"]);
+if (($in("modulus", record))) {
+report.add(place, "modulus gives it already", "Leave one of them out.");
+return null;
+}
+(strength = $m.get(record, "strength", $m.get(named, "strength")));
+if ((strength == null)) {
+(remedy = "Write strength = \"630 kN/m\", or name the belt EP 630/3.");
+if ($truth(record.sound("strength"))) {
+report.add(place, "needs the strength of the belt", remedy);
+}
+return null;
+}
+(of = $at(record, "elongation"));
+return $map([["modulus", ($mul(of.share, strength) / of.strain)], ["modulus_test", "static"], ["modulus_loads", [0.0, of.share]], ["modulus_ends", null]]);
+}
+function drive_file___name_pulley(pulleys, report) {
+let hint, own;
+
+if ((($eq($b.len(pulleys), 1)) && ($in("name", $at(pulleys, 0))))) {
+([hint, own] = [("" + "pulley." + $str("NAME") + "."), ("" + $str(problems__place_text(["pulley", $at($at(pulleys, 0), "name")])) + ".")]);
+(report.problems = [...(function* () { for (const problem of $iter(report.problems)) { yield $replaced(problem, new Map([["remedy", $m.replace(problem.remedy, hint, own)]])); } })()]);
+}
+}
+function problems__place_text(place) {
+let key, step, text;
+
+(text = "");
+for (step of $iter(place)) {
+if ($truth($b.isinstance(step, "int"))) {
+(text = $add(text, ("" + "[" + $str(step) + "]")));
+continue;
+}
+(key = ($truth($m.fullmatch($ca366, step)) ? step : $shown(step)));
+(text = $add(text, ($truth(text) ? ("" + "." + $str(key)) : key)));
+}
+return text;
+}
+function conditions__build_conditions(record, report) {
+let cases, main, problem, rows;
+
+(rows = [...(function* () { for (const row of $iter($m.get(record, "condition", []))) { if (!((row !== $ca9ba))) continue; yield row; } })()]);
+(main = [...(function* () { for (const row of $iter(rows)) { yield [conditions__condition_of(row, report), ["condition"]]; } })()]);
+for (problem of $iter(drive__repeated("condition", (function* () { for (const [condition, _] of $iter(main)) { yield condition.name; } })()))) {
+report.take(new InputError(problem), []);
+}
+(cases = [...(function* () { for (const case_ of $iter($or($m.get(record, "load_case"), () => []))) { if (!(($truth($b.isinstance(case_, Record)) && ($in("condition", case_))))) continue; yield [conditions__condition_of($at(case_, "condition"), report), [...$iter(case_.place), "condition"]]; } })()]);
+return new Conditions($b.tuple(main), $b.tuple(cases));
+}
+function conditions__condition_of(value, report) {
+let factors, made, source;
+
+if (!$truth($b.isinstance(value, Record))) {
+return new Condition($b.str(value));
+}
+(factors = $m.get(value, "friction_factors", $map([])));
+(source = $or(origins__own_provenance(value, report), () => new Provenance()));
+(made = $method($c0bb9, "built", [value, report], [["factors", factors], ["source", source]]));
+return $or(made, () => new Condition($b.str($m.get(value, "name", "dry"))));
+}
+function drive__repeated(key, names) {
+let found;
+
+(found = $b.list(names));
+if (($eq($b.len($b.set(found)), $b.len(found)))) {
+return [];
+}
+return [...(function* () { for (const [name, count] of $iter($m.items($b.Counter(found)))) { if (!((count > 1))) continue; yield new Problem(("" + "used " + $str(count) + " times"), "Give each its own name.", undefined, ("" + $str(key) + ".name"), $shown(name)); } })()];
+}
+function drive_build__build_pulley(record, laggings, conditions, report) {
+let built, by_name, found, found_before, lagging, laws, more, own, place, sources, sure, uncertainty, wrap;
+
+(sources = origins__read_sources(record, (function* () { for (const e of $iter($c06ce)) { yield e.key; } })(), report));
+(uncertainty = uncertain__read_uncertainty(record, $c2e28, report));
+(laws = []);
+if (($in("lagging", record))) {
+(laws = laggings.of($at(record, "lagging"), [...$iter(record.place), "lagging"]));
+}
+if (!$truth(laws)) {
+return null;
+}
+(own = [...(function* () { for (const [c, place] of $iter($slice(conditions.main, null, 1))) { yield [c, place]; } })()]);
+if (($in("condition", record))) {
+(place = [...$iter(record.place), "condition"]);
+(own = [[conditions__condition_of($at(record, "condition"), report), place]]);
+}
+(found = [...(function* () { for (const [c, place] of $iter([...$iter(own), ...$iter(conditions.several)])) { yield report.tried((() => conditions__at_its_place(c, laws)), place); } })()]);
+(sure = [...(function* () { for (const lagging of $iter(found)) { if (!((lagging != null))) continue; yield lagging; } })()]);
+if (($b.len(sure) < $b.len(found))) {
+return null;
+}
+(lagging = ($truth(own) ? $at(sure, 0) : $at(laws, 0)));
+(by_name = $map([...(function* () { for (const lag of $iter($slice(sure, $b.len(own), null))) { yield [lag.condition, lag]; } })()]));
+(more = $map([["conditions", $b.tuple($m.values(by_name))], ["uncertainty", uncertainty]]));
+if (($in("belt_path", record))) {
+(wrap = drive_build___wrap_of(record, report));
+if ((wrap == null)) {
+return null;
+}
+{ const [$v0, $v1] = [wrap, $map([["wrap_angle", $c2aaf], ...sources])]; $put(more, "wrap_angle", $v0); (sources = $v1); }
+}
+if (($in("across", record))) {
+(found_before = $b.len($bound(report, "problems")));
+$put(more, "across", across_keys__build_across($at(record, "across"), report));
+if (($b.len($bound(report, "problems")) > found_before)) {
+return null;
+}
+}
+(built = $method($c706c, "built", [record, report], [["lagging", lagging], ["sources", sources], ...more]));
+return built;
+}
+function conditions__at_its_place(condition, laws) {
+let error;
+
+try {
+return condition.of(laws);
+} catch ($error) {
+if ($error instanceof InputError) {
+error = $error;
+throw new InputError((function* () { for (const p of $iter(error.problems)) { yield $replaced(p, new Map([["key", ""], ["value", $shown($bound(condition, "name"))]])); } })());
 } else throw $error;
 }
-if ((($in("J", unit)) && ($eq(powers, $once(parse___powers, $kept_parse___powers)("energy_per_area"))))) {
-return "energy_per_area";
 }
-return $b.next((function* () { for (const name of $iter($c5fbb)) { if (!(($eq($once(parse___powers, $kept_parse___powers)(name), powers)))) continue; yield name; } })(), null);
-}
-function parse__unit_factor(unit, dimension) {
-let resolved;
+function drive_build___wrap_of(record, report) {
+let own, path, remedy;
 
-(resolved = parse___checked_unit(unit, dimension, unit));
-if ($truth(resolved.zero)) {
-throw parse___refused(unit, "has its zero elsewhere than 0 K", "Convert the column to K.");
+(path = $at(record, "belt_path"));
+if (($in("wrap_angle", record))) {
+(remedy = "Leave one of them out.");
+report.add([...$iter(record.place), "wrap_angle"], "belt_path gives it already", remedy);
+return null;
 }
-return $b.float($bound(resolved, "factor"));
+if ((!$truth($b.isinstance(path, Record)) || !$truth(path.sound()) || (!$in("diameter", record)))) {
+return null;
 }
+function point(given, more = new Map()) {
+return $call(Point, [], [...$map([...(function* () { for (const key of $iter($c39fc)) { if (!(($in(key, given)))) continue; yield [key, $at(given, key)]; } })()]), ...more]);
+}
+$sig(point, ["given"], true);
+(own = $call(point, [path], [["diameter", $at(record, "diameter")]]));
+return report.tried((() => belt_path__wrap_angle(point($at(path, "before")), own, point($at(path, "after")))), $bound(path, "place"));
+}
+function belt_path__wrap_angle(before, pulley, after) {
+
+limits__raise_all(belt_path__overlaps(before, pulley, after));
+return belt_path__turned_by(before, pulley, after);
+}
+function belt_path__overlaps(before, pulley, after) {
+let distance, end, key, message, problems, remedy;
+
+(problems = []);
+for ([end, key] of $iter([[before, "before"], [after, "after"]])) {
+(distance = $math.hypot($sub(end.x, pulley.x), $sub(end.y, pulley.y)));
+if (((distance < ($add(end.diameter, pulley.diameter) / 2.0)) || ($eq(distance, 0.0)))) {
+(message = ("" + "overlaps the pulley: their centres are " + $str(display__display(distance, "length")) + " apart"));
+(remedy = "Check the coordinates and the diameters.");
+$m.append(problems, new Problem(message, remedy, undefined, key));
+}
+}
+return problems;
+}
+function display__display(value, dimension, system = "si", digits = 4) {
+
+return display__joined(display__parts(value, dimension, system, digits));
+}
+function display__parts(value, dimension, system, digits) {
+let bound, factor, number, other, row, size, unit, zero;
+
+(row = $once(display__unit_row, $kept_display__unit_row)(dimension, system));
+([unit, number] = [row.unit, (value / row.factor)]);
+if ((($b.abs(number) < 1e-09) && (!$eq(dimension, "wear_coefficient")))) {
+(number = 0.0);
+}
+(size = $b.abs(digits__read(digits__rounded(number, digits))));
+for ([bound, other, factor, zero] of $iter(row.larger)) {
+if ((bound <= size && size < Infinity)) {
+([unit, number] = [other, ($sub(value, zero) / factor)]);
+}
+}
+return [digits__rounded(number, digits), unit];
+}
+function display__unit_row(dimension, system) {
+let larger, more, one, unit, zero;
+
+([unit, more] = $at($at($cd5a9, system), dimension));
+if (($eq(dimension, "temperature"))) {
+(zero = parse__parse_quantity(("" + "0 " + $str(unit)), dimension));
+(one = parse__parse_quantity(("" + "1 " + $str(unit)), dimension));
+return new UnitRow("K", 1.0, [[0.0, unit, $sub(one, zero), zero]]);
+}
+(larger = $b.tuple((function* () { for (const [bound, name] of $iter(more)) { yield [bound, name, parse__unit_factor(name, dimension), 0.0]; } })()));
+return new UnitRow(unit, parse__unit_factor(unit, dimension), larger);
+}
+const $kept_display__unit_row = new Map();
 function digits__rounded(number, digits) {
 let given, power, text;
 
@@ -751,6 +1156,29 @@ report.take(new InputError(problem), [...$iter(across.place), key]);
 }
 }
 }
+function tensions__report_uncertain_twice(record, report) {
+let every, given, key, message, place, pulley, table;
+
+for (table of $iter(["train", "conveyor"])) {
+(every = $m.get(record, table));
+if ((!$truth($b.isinstance(every, Record)) || !$truth($m.get(every, "uncertainty")))) {
+continue;
+}
+for (pulley of $iter($or($m.get(record, "pulley"), () => []))) {
+if (!$truth($b.isinstance(pulley, Record))) {
+continue;
+}
+(given = $m.get(pulley.raw, "uncertainty", $map([])));
+for (key of $iter($m.get(pulley, "uncertainty", $map([])))) {
+if (($in(key, $c6fe1))) {
+(message = ("" + "contradicts those of [" + $str(table) + "]"));
+(place = [...$iter(pulley.place), "uncertainty", key]);
+report.add(place, message, "Remove one of them.", $at(given, key));
+}
+}
+}
+}
+}
 function drive_build__build_criteria(record, belt, report) {
 let parts;
 
@@ -805,6 +1233,7 @@ return [];
 if ((!$truth(cases) || $truth(tensions__complete(own, speed)))) {
 (tensions = tensions__resolve(own, speed, report, sure));
 $m.append(built, new LoadCase("design", tensions));
+(sure = $and(sure, () => ($eq($b.len(tensions), $b.len(own)))));
 }
 for (case_ of $iter(cases)) {
 if (($in("train", case_))) {
@@ -816,6 +1245,7 @@ report.add([...$iter(case_.place), "train"], "there is no [train] table", "Write
 if (($in("name", case_))) {
 (more = $map([["kind", $m.get(case_, "kind", "running")], ["condition", conditions__condition_name(case_)]]));
 $put(more, "description", $m.get(case_, "description", ""));
+$put(more, "uncertainty", drive_file___uncertainty_of(case_, report));
 $m.append(built, $call(LoadCase, [], [["name", $at(case_, "name")], ["tensions", tensions], ...more]));
 }
 }
@@ -993,8 +1423,41 @@ let value;
 (value = $m.get(case_, "condition", ""));
 return ($truth($b.isinstance(value, Record)) ? $b.str($m.get(value, "name", "")) : $b.str(value));
 }
+function drive_file___uncertainty_of(case_, report) {
+let found, name, of, table;
+
+(found = $map([]));
+for ([name, table] of $iter($m.items($m.get(case_, "pulley", $map([]))))) {
+if ($truth($b.isinstance(table, Record))) {
+(of = uncertain__read_uncertainty(table, $c26fe, report));
+if ($truth(of)) {
+$put(found, name, of);
+}
+}
+}
+return found;
+}
 function conveyor_build__build_conveyor(record, belt, take_up, report) {
-let conveyor, given, mass, message, pulleys, remedy, states;
+let conveyor, given, message, pulleys, states;
+
+if (($b.len($or($m.get(record, "pulley"), () => [])) > 1)) {
+(message = ("" + "has " + $str($b.len($at(record, "pulley"))) + " drive pulleys and no [train] with their shares"));
+report.add(["conveyor"], message, "Write share = [\"50 %\", \"50 %\"] in [train].");
+}
+(conveyor = conveyor_build__described_conveyor(record, belt, take_up, report));
+(given = $m.get(record, "conveyor"));
+(pulleys = [...(function* () { for (const item of $iter($or($m.get(record, "pulley"), () => []))) { if (!($truth($b.isinstance(item, Record)))) continue; yield item; } })()]);
+if (((conveyor == null) || !$truth($b.isinstance(given, Record)) || ($b.len(pulleys) > 1))) {
+return [null, []];
+}
+(states = report.tried($bound(conveyor, "states"), $bound(given, "place"), $bound(given, "raw")));
+if ((!$truth(states) || !$truth(pulleys) || (!$in("name", $at(pulleys, 0))))) {
+return [conveyor, []];
+}
+return [conveyor, conveyor_build__load_cases(conveyor, states, $at($at(pulleys, 0), "name"))];
+}
+function conveyor_build__described_conveyor(record, belt, take_up, report) {
+let given, mass, message, more, names, pulleys, remedy;
 
 (pulleys = [...(function* () { for (const item of $iter($or($m.get(record, "pulley"), () => []))) { if (!($truth($b.isinstance(item, Record)))) continue; yield item; } })()]);
 conveyor_build___refuse_tensions(record, pulleys, report);
@@ -1003,28 +1466,21 @@ if ($truth(take_up.fixed)) {
 (remedy = "Give tensions of each load case.");
 report.add(["take_up", "kind"], message, remedy, $bound(take_up, "kind"));
 }
-if (($b.len($or($m.get(record, "pulley"), () => [])) > 1)) {
-(message = ("" + "goes with one drive pulley, not " + $str($b.len($at(record, "pulley")))));
-report.add(["conveyor"], message, "Put the tensions of a train into [train].");
-}
 (given = $m.get(record, "conveyor"));
 if (!$truth($b.isinstance(given, Record))) {
-return [null, []];
+return null;
 }
-if ($truth(take_up.after)) {
+if (($truth(take_up.after) && ($eq($b.len(pulleys), 1)))) {
 (message = "contradicts take_up_distance of [conveyor]");
 report.add(["take_up", "after"], message, "Leave it out.", $bound(take_up, "after"));
 }
 (mass = ((belt == null) ? null : belt.mass));
-(conveyor = conveyor_build___conveyor(given, $m.get(record, "belt"), mass, take_up, report));
-(states = $and(conveyor, () => report.tried($bound(conveyor, "states"), $bound(given, "place"), $bound(given, "raw"))));
-if ((!$truth(states) || !$truth(pulleys) || (!$in("name", $at(pulleys, 0))))) {
-return [conveyor, []];
-}
-return [conveyor, $b.tuple((function* () { for (const state of $iter(states)) { yield conveyor_build__load_case(state, $at($at(pulleys, 0), "name")); } })())];
+(names = [...(function* () { for (const pulley of $iter(pulleys)) { if (!(($in("name", pulley)))) continue; yield $at(pulley, "name"); } })()]);
+(more = $merged(conveyor_build___of_belt(belt), conveyor_build___parts(given, names, take_up, report)));
+return conveyor_build___conveyor(given, $m.get(record, "belt"), mass, take_up, more, report);
 }
 function conveyor_build___refuse_tensions(record, pulleys, report) {
-let key, pulley;
+let key, message, pulley, remedy;
 
 for (pulley of $iter(pulleys)) {
 for (key of $iter((function* () { for (const key of $iter($c6fe1)) { if (!(($in(key, pulley)))) continue; yield key; } })())) {
@@ -1032,12 +1488,113 @@ report.add([...$iter(pulley.place), key], "the [conveyor] table gives the tensio
 }
 }
 if (($in("load_case", record))) {
-report.add(["load_case"], "the [conveyor] table gives the load cases already", "Leave it out, or the [conveyor] table.");
+(message = "the [conveyor] table gives the load cases already");
+(remedy = "Write [[conveyor.load_case]] for those of its own, or leave one of them out.");
+report.add(["load_case"], message, remedy);
 }
 }
-function conveyor_build___conveyor(given, belt, mass, take_up, report) {
+function conveyor_build___of_belt(belt) {
+
+if ((belt == null)) {
+return $map([]);
+}
+return $map([["width", belt.width], ["thickness", conveyor_build___thickness(belt)], ["steel", ($eq(belt.kind, "steel-cord"))]]);
+}
+function conveyor_build___thickness(belt) {
+let known, layers;
+
+(layers = [belt.pulley_cover, belt.carry_cover, belt.cord]);
+(known = [...(function* () { for (const layer of $iter(layers)) { if (!((layer != null))) continue; yield layer; } })()]);
+if (((belt.thickness != null) || ($b.len(known) < $b.len(layers)))) {
+return belt.thickness;
+}
+return $b.sum(known);
+}
+function conveyor_build___parts(given, names, take_up, report) {
+let cases, field, key, made, parts, table;
+
+(parts = $map([]));
+for ([key, table, field] of $iter($ca4a5)) {
+(made = [...(function* () { for (const row of $iter(conveyor_build___tables(given, key))) { yield table.built(row, report); } })()]);
+(parts = $merged(parts, conveyor_build___whole(given, key, field, made)));
+}
+(cases = [...(function* () { for (const row of $iter(conveyor_build___tables(given, "load_case"))) { yield conveyor_build___case(row, report); } })()]);
+(parts = $merged(parts, conveyor_build___whole(given, "load_case", "cases", cases)));
+for ([key, table] of $iter([["travel", $c9244], ["cema", $cf8a9]])) {
+if ($truth($b.isinstance($m.get(given, key), Record))) {
+$put(parts, key, table.built($at(given, key), report));
+}
+}
+return $merged($merged(parts, conveyor_build___drives(given, parts, names, take_up, report)), conveyor_build___sums(given, parts));
+}
+function conveyor_build___tables(given, key) {
+
+return [...(function* () { for (const row of $iter($or($m.get(given, key), () => []))) { if (!($truth($b.isinstance(row, Record)))) continue; yield row; } })()];
+}
+function conveyor_build___whole(given, key, field, made) {
+
+if ($truth($b.any((function* () { for (const one of $iter(made)) { yield (one == null); } })()))) {
+given.faulty.add(key);
+}
+return (($b.len(made) > 0) ? $map([[field, $b.tuple(made)]]) : $map([]));
+}
+function conveyor_build___case(row, report) {
+let case_, factors;
+(factors = $b.dict($or($m.get(row, "factor"), () => $map([]))));
+(case_ = $method($c1695, "built", [row, report], [["factor", factors]]));
+return case_;
+}
+function conveyor_build___drives(given, parts, names, take_up, report) {
+let at, found;
+
+(found = (($b.len(names) > 1) ? $map([["take_up_after", take_up.after]]) : $map([])));
+if (($in("drive", given.faulty))) {
+return found;
+}
+if (($in("drives", parts))) {
+return $merged(found, $map([["drives", conveyor_build___placed(given, $at(parts, "drives"), names, report)]]));
+}
+if ((($b.len(names) > 1) || ($in("flights", parts)))) {
+(at = $m.get(given, "drive_at", "head"));
+return $merged(found, $map([["drives", $b.tuple((function* () { for (const name of $iter(names)) { yield new DrivePlace(name, at); } })())]]));
+}
+return found;
+}
+function conveyor_build___placed(given, drives, names, report) {
+let by_name, drive, i, message, name, place, remedy;
+
+(by_name = $map([...(function* () { for (const drive of $iter(drives)) { yield [drive.pulley, drive]; } })()]));
+for ([i, drive] of $iter($b.enumerate(drives))) {
+if ((!$in(drive.pulley, names))) {
+(place = [...$iter(given.place), "drive", $add(i, 1), "pulley"]);
+report.add(place, "no such pulley", errors__name_remedy($bound(drive, "pulley"), names), $bound(drive, "pulley"));
+given.faulty.add("drive");
+}
+}
+for (name of $iter(names)) {
+if ((!$in(name, by_name))) {
+(message = ("" + "pulley " + $str(name) + " is at no place"));
+(remedy = ("" + "Write a [[conveyor.drive]] with pulley = \"" + $str(name) + "\" and at."));
+report.add([...$iter(given.place), "drive"], message, remedy);
+given.faulty.add("drive");
+}
+}
+return $b.tuple((function* () { for (const name of $iter(names)) { if (!(($in(name, by_name)))) continue; yield $at(by_name, name); } })());
+}
+function conveyor_build___sums(given, parts) {
+let flights, sums;
+
+(flights = $m.get(parts, "flights", []));
+if ((($eq($b.len(flights), 0)) || ($in(null, flights)))) {
+return $map([]);
+}
+(sums = $map([["length", $b.sum((function* () { for (const flight of $iter(flights)) { yield flight.length; } })())], ["lift", $b.sum((function* () { for (const flight of $iter(flights)) { yield flight.rise; } })())]]));
+return $map([...(function* () { for (const [key, value] of $iter($m.items(sums))) { if (!((!$in(key, new Set([...$iter(given), ...$iter(given.faulty)]))))) continue; yield [key, value]; } })()]);
+}
+function conveyor_build___conveyor(given, belt, mass, take_up, parts, report) {
 let conveyor, more, speed, told, unsure;
-(more = $map([["sheave_ratio", take_up.sheave_ratio]]));
+(more = $map([["sheave_ratio", take_up.sheave_ratio], ...parts]));
+$put(more, "uncertainty", uncertain__read_uncertainty(given, $cac72, report));
 if (!$truth($common(new Set(["belt_mass"]), new Set([...$iter(given), ...$iter(given.faulty)])))) {
 $put(more, "belt_mass", mass);
 if ((mass == null)) {
@@ -1053,20 +1610,27 @@ $put(more, "speed", speed);
 }
 (unsure = $or(!$truth($b.isinstance(belt, Record)), () => !$truth(belt.sound("speed"))));
 if (($truth(given.sound()) && !$truth(unsure))) {
-(conveyor = $method($ce84a, "built", [given, report], [...more]));
+(conveyor = $method($ca5a9, "built", [given, report], [...more]));
 return conveyor;
 }
-(told = conveyor__choices(new Set([...$iter(given), ...$iter(given.faulty), ...$iter(more), ...$iter(($truth(unsure) ? ["speed"] : []))])));
+(told = choices__choices(new Set([...$iter(given), ...$iter(given.faulty), ...$iter(more), ...$iter(($truth(unsure) ? ["speed"] : []))])));
 if ($truth(told)) {
 report.take(new InputError(told), $bound(given, "place"), $bound(given, "raw"));
 }
 return null;
 }
-function conveyor__choices(given) {
-let example, first, key, message, problems, remedy, second;
+function choices__choices(given) {
+let both, example, first, key, loads, message, problems, remedy, second;
 
 (problems = []);
-for ([first, second, example] of $iter($cbf28)) {
+(loads = ($in("loading", given)));
+for ([first, second, example] of $iter($c601c)) {
+if (($truth(loads) && ($eq(second, "capacity")))) {
+(both = [...(function* () { for (const key of $iter([first, second])) { if (!(($in(key, given)))) continue; yield key; } })()]);
+([message, remedy] = ["means the same as [[conveyor.loading]]", "Leave one of them out."]);
+(problems = $add(problems, [...(function* () { for (const key of $iter(both)) { yield new Problem(message, remedy, undefined, key); } })()]));
+continue;
+}
 if ((($in(first, given)) && ($in(second, given)))) {
 (message = ("" + "means the same as " + $str(first)));
 $m.append(problems, new Problem(message, "Leave one of them out.", undefined, second));
@@ -1077,7 +1641,7 @@ $m.append(problems, new Problem("missing", remedy, undefined, first, undefined, 
 }
 }
 }
-for (key of $iter($cf0bc)) {
+for (key of $iter($c361e)) {
 if ((($in(key, given)) && (!$in("speed", given)))) {
 (remedy = "Write speed = \"3 m/s\" in [belt].");
 $m.append(problems, new Problem("needs the belt speed", remedy, undefined, key));
@@ -1085,14 +1649,71 @@ $m.append(problems, new Problem("needs the belt speed", remedy, undefined, key))
 }
 return problems;
 }
-function conveyor_build__load_case(state, pulley) {
-let kind, made, tensions, why;
+function conveyor_build__load_cases(conveyor, states, pulley) {
+let every;
+
+(every = uncertain__uncertain_tensions(conveyor, states));
+return $b.tuple((function* () { for (const [state, of] of $iter($b.zip(states, every, $k({strict: true})))) { yield conveyor_build__load_case(state, pulley, of); } })());
+}
+function uncertain__uncertain_tensions(conveyor, states) {
+let end, found, i, key, lift, moved, of, pull, slope, squares, state, stated, step, value;
+
+([squares, lift] = [[...(function* () { for (const _ of $iter(states)) { yield 0.0; } })()], 0.0]);
+(stated = [...(function* () { for (const key of $iter(conveyor.uncertainty)) { if (!((!$in(key, $cdeee)))) continue; yield key; } })()]);
+for (key of $iter(conveyor.uncertainty)) {
+(value = $at(conveyor.uncertainty, key));
+if (($in(key, $cdeee))) {
+(lift = $mul(value, conveyor.take_up));
+continue;
+}
+([moved, step] = uncertain___moved(conveyor, key));
+for (i of $iter($b.range($b.len(moved)))) {
+(slope = ($sub(uncertain___pull($at(moved, i)), uncertain___pull($at(states, i))) / step));
+$put(squares, i, $add($at(squares, i), $pow($mul(slope, value), 2)));
+}
+}
+(found = []);
+for (i of $iter($b.range($b.len(states)))) {
+([state, of] = [$at(states, i), $b.dict()]);
+(pull = $b.abs(uncertain___pull(state)));
+if (($truth(stated) && (pull > 0.0))) {
+$put(of, "effective_tension", $b.min(($math.sqrt($at(squares, i)) / pull), 1.0));
+}
+if (($b.len(stated) < $b.len($bound(conveyor, "uncertainty")))) {
+(end = ((state.entry > state.exit) ? "exit_tension" : "entry_tension"));
+$put(of, end, $b.min((lift / $b.min($bound(state, "entry"), $bound(state, "exit"))), 1.0));
+}
+$m.append(found, of);
+}
+return found;
+}
+function uncertain___moved(conveyor, key) {
+let more, step;
+
+for (step of $iter([0.001, $neg(0.001)])) {
+(more = $map([[key, $mul($b.getattr(conveyor, key), $add(1.0, step))]]));
+try {
+return [$replaced(conveyor, new Map([...more])).states(), step];
+} catch ($error) {
+if ($error instanceof InputError) {
+continue;
+} else throw $error;
+}
+}
+return [conveyor.states(), 1.0];
+}
+function uncertain___pull(state) {
+return $sub(state.entry, state.exit);
+}
+function conveyor_build__load_case(state, pulley, uncertainty) {
+let kind, made, stated, tensions, why;
 
 (why = "computed from the resistances of the conveyor");
 (made = $map([["entry", why], ["exit", why]]));
 (tensions = new Tensions(state.entry, state.exit, made));
 (kind = state.kind);
-return new LoadCase(state.name, $map([[pulley, tensions]]), kind);
+(stated = ($truth(uncertainty) ? $map([[pulley, uncertainty]]) : $map([])));
+return new LoadCase(state.name, $map([[pulley, tensions]]), kind, undefined, undefined, stated);
 }
 function drive__least_tensions(cases) {
 
@@ -1150,7 +1771,7 @@ for (case_ of $iter(cases)) {
 return $b.tuple(found);
 }
 function file__train_from_document(document, file = "", folder = "", overrides = [], allow_paths = false) {
-let belt, belt_record, cases, conditions, criteria, drive, ends, error, known, laggings, message, own, parts, problem, pulleys, reader, record, records, report, told, train;
+let belt, belt_record, cases, conditions, conveyor, criteria, division, drive, ends, error, known, laggings, own, parts, problem, pulleys, reader, record, records, report, told, train;
 
 (document = overridden(document, overrides, file));
 if ((!$in("train", document))) {
@@ -1166,11 +1787,12 @@ return Train.of(drive);
 (conditions = conditions__build_conditions(record, report));
 (pulleys = [...(function* () { for (const item of $iter(records)) { yield drive_build__build_pulley(item, laggings, conditions, report); } })()]);
 file___refuse_pulley_tensions(record, records, report);
-if (($in("conveyor", record))) {
-(message = "contradicts the tensions in [train]");
-report.add(["conveyor"], message, "Leave one of them out.");
-}
+tensions__report_uncertain_twice(record, report);
 (criteria = drive_build__build_criteria(record, belt, report));
+(conveyor = null);
+if (($in("conveyor", document))) {
+(conveyor = conveyed__build_train_conveyor(record, belt, $bound(criteria, "take_up"), report));
+}
 (train = $m.get(record, "train"));
 (ends = ($truth($b.isinstance(train, Record)) ? [...(function* () { for (const key of $iter(["entry_tension", "exit_tension"])) { if (!(($in(key, train)))) continue; yield $at(train, key); } })()] : []));
 drive_build__report_together(belt_record, belt, pulleys, ($truth(ends) ? $map([["train", $b.min(ends)]]) : $map([])), report);
@@ -1178,10 +1800,19 @@ report.raise_all();
 (known = [belt, [...(function* () { for (const p of $iter(pulleys)) { yield p; } })()]]);
 (reader = new Reader(record, ...$iter(known), report, $bound(criteria, "take_up")));
 (parts = $map([...(function* () { for (const key of $iter(["title", "description", "creep_limit"])) { if (!(($in(key, record)))) continue; yield [key, $at(record, key)]; } })()]));
+(cases = []);
+if ((conveyor == null)) {
 (cases = reader.cases());
+} else {
+(division = reader.division());
+if ((division != null)) {
+([conveyor, cases] = conveyed__conveyor_cases(conveyor, division, $at(record, "conveyor"), report));
+(criteria = $replaced(criteria, new Map([["take_up", conveyed__train_take_up($bound(criteria, "take_up"), conveyor)]])));
+}
+}
 report.raise_all();
 try {
-return $call(Train, [], [["belt", reader.belt], ["pulleys", reader.actual], ["cases", conditions__in_each_condition(cases, conditions)], ["criteria", criteria], ["nominal_diameters", ((!$eq(reader.actual, $b.tuple($bound(reader, "pulleys")))) ? reader.nominal : [])], ["read_from", new ReadFrom(document, folder, allow_paths)], ...parts]);
+return $call(Train, [], [["belt", reader.belt], ["pulleys", reader.actual], ["cases", conditions__in_each_condition(cases, conditions)], ["criteria", criteria], ["nominal_diameters", ((!$eq(reader.actual, $b.tuple($bound(reader, "pulleys")))) ? reader.nominal : [])], ["read_from", new ReadFrom(document, folder, allow_paths)], ["conveyor", conveyor], ...parts]);
 } catch ($error) {
 if ($error instanceof InputError) {
 error = $error;
@@ -1209,6 +1840,54 @@ report.add([...$iter(case_.place), "pulley"], message, remedy);
 }
 }
 }
+function conveyed__build_train_conveyor(record, belt, take_up, report) {
+let key, message, remedy, train;
+
+(train = $m.get(record, "train"));
+if ($truth($b.isinstance(train, Record))) {
+(message = "the [conveyor] table gives the tensions already");
+for (key of $iter((function* () { for (const key of $iter($c2c8e)) { if (!(($in(key, train)))) continue; yield key; } })())) {
+(remedy = "Leave it out, or the [conveyor] table.");
+report.add([...$iter(train.place), key], message, remedy, $at(train.raw, key));
+}
+}
+return conveyor_build__described_conveyor(record, belt, take_up, report);
+}
+function conveyed__conveyor_cases(conveyor, division, record, report) {
+let cases, count, drives, every, given, message, remedy, shares, states;
+
+(count = $b.len($bound(conveyor, "drives")));
+(given = $b.isinstance(division, Shares));
+(shares = ($truth($b.isinstance(division, Shares)) ? division.fractions : $mul([(1.0 / count)], count)));
+(drives = $b.zip($bound(conveyor, "drives"), shares, $k({strict: true})));
+(conveyor = $replaced(conveyor, new Map([["drives", $b.tuple((function* () { for (const [d, s] of $iter(drives)) { yield $replaced(d, new Map([["share", s]])); } })())]])));
+if ((!$truth(given) && (conveyor.take_up_behind != null))) {
+(message = ("" + "is between the drives, behind " + $str(conveyor.take_up_behind)));
+(remedy = "List [[pulley]] from the take-up on, or write share in [train].");
+report.add([...$iter(record.place), "take_up_distance"], message, remedy);
+}
+(states = $or(report.tried($bound(conveyor, "states"), $bound(record, "place"), $bound(record, "raw")), () => []));
+(every = $b.zip(states, uncertain__uncertain_tensions(conveyor, states), $k({strict: true})));
+(cases = report.tried((() => [...(function* () { for (const [s, of] of $iter(every)) { yield conveyed___train_case(s, division, of); } })()]), $bound(record, "place")));
+return [conveyor, $or(cases, () => [])];
+}
+function conveyed___train_case(state, division, uncertainty) {
+let drives, kind, runs;
+
+(drives = state.drives);
+(runs = $b.tuple((function* () { for (const i of $iter($b.range($sub($b.len(drives), 1)))) { yield $sub($at(drives, $add(i, 1)).entry, $at(drives, i).exit); } })()));
+if ($truth($b.isinstance(division, Shares))) {
+(division = new Shares($b.tuple((function* () { for (const drive of $iter(drives)) { yield drive.share; } })())));
+}
+(kind = state.kind);
+return new TrainCase(state.name, state.entry, state.exit, division, runs, kind, undefined, undefined, uncertainty);
+}
+function conveyed__train_take_up(take_up, conveyor) {
+let behind;
+
+(behind = conveyor.take_up_behind);
+return ((behind == null) ? take_up : $replaced(take_up, new Map([["after", behind]])));
+}
 function file___placed(problem, cases, file) {
 let case_, own, prefix, rest;
 
@@ -1221,20 +1900,6 @@ return $replaced(problem, new Map([["key", ("" + $str(problems__place_text([...$
 }
 }
 return $replaced(problem, new Map([["file", file]]));
-}
-function problems__place_text(place) {
-let key, step, text;
-
-(text = "");
-for (step of $iter(place)) {
-if ($truth($b.isinstance(step, "int"))) {
-(text = $add(text, ("" + "[" + $str(step) + "]")));
-continue;
-}
-(key = ($truth($m.fullmatch($ca366, step)) ? step : $shown(step)));
-(text = $add(text, ($truth(text) ? ("" + "." + $str(key)) : key)));
-}
-return text;
 }
 function source__syntax_problem(text, line, file = "") {
 let lines, message, remedy, value, written;
@@ -1348,7 +2013,7 @@ function in_page_checks__result_of(arc, found) {
 let of;
 
 (of = found.summary);
-return new FoundArc(($truth($told($cc303, found, "solved")) ? "The pulley transmits its load." : "Gross slip: no creep gives enough friction for this tension ratio. Raise the slack-side tension (take-up), increase the wrap angle, or choose a lagging with more friction."), "distributed", arc, null, of.entry_tension, of.exit_tension, of.exit_creep, of.creep_shrinkage, of.creep_compression, of.creep_global, of.exit_slip, of.entry_creep_ratio, of.exit_creep_ratio, of.peak_shear_stress, of.peak_shear_angle, of.peak_shear_position, of.mean_friction, of.active_arc, of.outside_tested_share, of.stuck_arc, found.capacities, of, found);
+return new FoundArc(($truth($told($cc303, found, "solved")) ? "The pulley transmits its load." : "Gross slip: no creep gives enough friction for this tension ratio. Raise the slack-side tension (take-up), increase the wrap angle, or choose a lagging with more friction."), "distributed", arc, null, of.entry_tension, of.exit_tension, of.exit_creep, of.creep_shrinkage, of.creep_compression, of.creep_global, of.exit_slip, of.entry_creep_ratio, of.exit_creep_ratio, of.peak_shear_stress, of.peak_shear_angle, of.peak_shear_position, of.mean_friction, of.active_arc, of.outside_tested_share, of.stuck_arc, found.capacities, of, undefined, found);
 }
 function in_page_checks__train_drive(train, case_, pairs) {
 
@@ -1359,7 +2024,7 @@ let names, tensions;
 
 (names = [...(function* () { for (const p of $iter(train.pulleys)) { yield p.name; } })()]);
 (tensions = $map([...(function* () { for (const [n, [a, b]] of $iter($b.zip(names, pairs, $k({strict: true})))) { yield [n, new Tensions(a, b)]; } })()]));
-return new LoadCase(case_.name, tensions, case_.kind, case_.condition, case_.description);
+return new LoadCase(case_.name, tensions, case_.kind, case_.condition, case_.description, ($truth(case_.uncertainty) ? $map([["", case_.uncertainty]]) : $map([])));
 }
 function result__drive_with(train, cases) {
 
@@ -1517,7 +2182,7 @@ let action, fault, headline, label;
 
 (fault = (status === "The solver did not reach its accuracy on this train. Please report the drive file; until then change a value slightly."));
 ([headline, label, action] = $at($c3340, status));
-return new Check("operating_point", "Operating point", ($truth(fault) ? "INTERNAL ERROR" : "FAILS"), place, undefined, undefined, "operating point", undefined, undefined, undefined, undefined, undefined, headline, ($truth(overrun) ? "Set brakes = true if the drive can brake." : action), check__escaped(reason), label);
+return new Check("operating_point", "Operating point", ($truth(fault) ? "INTERNAL ERROR" : "FAILS"), place, undefined, undefined, "operating point", undefined, undefined, undefined, undefined, undefined, ($truth(overrun) ? "The belt drives the motors: no operating point" : headline), ($truth(overrun) ? "Set brakes = true if the drive can brake." : action), check__escaped(reason), label);
 }
 function check__escaped(text) {
 
@@ -1547,7 +2212,7 @@ function of_train__check_opposing_drives(opposing, place, division) {
 let action, opposes;
 
 (opposes = (opposing > 0.0));
-(action = "Try torque sharing, or closer speeds (wraparc trim).");
+(action = "Try torque sharing or closer speeds: run wraparc trim.");
 if ($truth($b.isinstance(division, Shares))) {
 (action = "Give shares above 0 %.");
 } else {
@@ -1594,7 +2259,7 @@ if ($truth(opposite)) {
 } else {
 (why = ("" + "{layer} of belt assumed: pulleys of two diameters, compared with " + $str(first) + "."));
 }
-return new Check("belt_thickness", "Trim, belt thickness", "ATTENTION", place, undefined, undefined, "trim", undefined, undefined, undefined, undefined, undefined, "Trim uncertain by {shift} %: belt thickness missing", ("" + $str("Give pulley_cover, carry_cover and carcass") + "."), why, "trim without belt thickness", undefined, undefined, undefined, $map([["shift", new Amount($mul(100.0, shift), "number")], [($truth(opposite) ? "apart" : "layer"), new Amount(($truth(opposite) ? 0.004 : 0.01), "length")]]), false);
+return new Check("belt_thickness", "Trim, belt thickness", "ATTENTION", place, undefined, undefined, "trim", undefined, undefined, undefined, undefined, undefined, "Speed trim uncertain by {shift} %: belt thickness missing", ("" + $str("Give pulley_cover, carry_cover and carcass") + "."), why, "trim without belt thickness", undefined, undefined, undefined, $map([["shift", new Amount($mul(100.0, shift), "number")], [($truth(opposite) ? "apart" : "layer"), new Amount(($truth(opposite) ? 0.004 : 0.01), "length")]]), false);
 }
 function of_train__train_balance(error, place) {
 let text;
@@ -1620,13 +2285,17 @@ let name, title;
 return rule__not_checked(name, title, "motor torque", place, undefined, "a follower has no motor rating");
 }
 function of_train__motor_load(load, most, momentary, place, helps, power) {
-let action, text;
+let action, more, text;
 
-(action = ($truth(momentary) ? "Try a slower start." : ($truth(helps) ? "Try torque sharing." : "")));
+(more = "motors of {times} times this torque");
+(action = ($truth(momentary) ? ("" + "Try a slower start, or " + $str(more) + ".") : ("" + "Use " + $str(more) + ".")));
+if (($truth(helps) && !$truth(momentary))) {
+(action = ("" + "Try torque sharing, or " + $str(more) + "."));
+}
 if ($truth($math.isfinite(power))) {
 (action = "Use motors of {power} or more.");
 }
-(text = new CheckText($at($c625f, momentary), "motor torque", $add("Motor torque {value} exceeds the {limit} ", ($truth(momentary) ? "momentary limit" : "rating")), undefined, action, ($truth(momentary) ? "" : "Above 115 % no usual service factor covers it (NEMA MG 1-14.37)."), "motor torque", ($truth(momentary) ? "IEC 60034-1: 1.6 times the rated torque for 15 s; no stall at 90 % of the voltage (NEMA MG 1-12.44, condensed edition of 2011: torque falls with its square)" : "rating of the motor, continuous duty"), $map([["power", new Amount(($mul(power, $b.abs(load)) / most), "power", "up")]])));
+(text = new CheckText($at($c625f, momentary), "motor torque", $add("Motor torque {value} exceeds the {limit} ", ($truth(momentary) ? "momentary limit" : "rating")), undefined, action, ($truth(momentary) ? "" : "Above 115 % no usual service factor covers it (NEMA MG 1-14.37)."), "motor torque", ($truth(momentary) ? "IEC 60034-1: 1.6 times the rated torque for 15 s; no stall at 90 % of the voltage (NEMA MG 1-12.44, condensed edition of 2011: torque falls with its square)" : "rating of the motor, continuous duty"), $map([["power", new Amount(($mul(power, $b.abs(load)) / most), "power", "up")], ["times", new Amount(($b.abs(load) / most), "number", "up")]])));
 return ($truth(momentary) ? $c58a5 : $c0dbc).compare($b.abs(load), most, place, text);
 }
 function* of_train__meetings(case_) {
@@ -1643,11 +2312,12 @@ function* of_drive__meeting(before, leaves, after, enters, place) {
 if (($b.abs($sub(leaves, enters)) <= $mul(0.02, $b.max(leaves, enters)))) {
 return null;
 }
-yield new Check("meeting", "Tension between pulleys", "ATTENTION", place, undefined, undefined, "tension between pulleys", undefined, undefined, undefined, undefined, undefined, ("" + "Belt leaves " + $str(check__escaped(before)) + " at {leaves} but enters " + $str(check__escaped(after)) + " at {enters}"), "Give equal tensions, or the run's rise {rise}.", undefined, "tensions differ", undefined, undefined, undefined, $map([["leaves", new Amount(leaves, "force")], ["enters", new Amount(enters, "force")], ["rise", new Amount($sub(enters, leaves), "force")]]), false);
+yield new Check("meeting", "Tension between pulleys", "ATTENTION", place, undefined, undefined, "tension between pulleys", undefined, undefined, undefined, undefined, undefined, ("" + "Belt leaves " + $str(check__escaped(before)) + " at {leaves} but enters " + $str(check__escaped(after)) + " at {enters}"), "Give equal tensions, or [train] with a run of {rise}.", undefined, "tensions differ", undefined, undefined, undefined, $map([["leaves", new Amount(leaves, "force")], ["enters", new Amount(enters, "force")], ["rise", new Amount($sub(enters, leaves), "force")]]), false);
 }
 function* usual__owners_of(train) {
 let division, kinds, motor, pulley, turns;
 
+yield* $iter(usual___conveyor_owners($bound(train, "conveyor")));
 (division = $at(train.cases, 0).division);
 if (($truth($b.isinstance(division, Speeds)) && $truth(division.absolute))) {
 for ([pulley, turns] of $iter($b.zip($bound(train, "pulleys"), $bound(division, "rotation_speeds"), $k({strict: true})))) {
@@ -1658,6 +2328,25 @@ for ([pulley, motor] of $iter($b.zip($bound(train, "pulleys"), ($truth($b.isinst
 (kinds = ($truth($b.isinstance(motor, Motor)) ? $c87cd : ["TorqueFollower"]));
 yield new Owner(motor, kinds, ("" + "of the motor of pulley " + $str(pulley.name)), new Place($bound(pulley, "name")));
 }
+}
+function* usual___conveyor_owners(conveyor) {
+let flight, local, point;
+
+yield new Owner(conveyor, ["Conveyor"], "of the conveyor");
+if ((conveyor == null)) {
+return null;
+}
+for (flight of $iter(conveyor.flights)) {
+yield new Owner(flight, ["Flight"], ("" + "of flight " + $str(flight.name)));
+}
+for (point of $iter(conveyor.loadings)) {
+yield new Owner(point, ["LoadingPoint"], ("" + "of loading point " + $str(point.name)));
+}
+for (local of $iter(conveyor.locals)) {
+yield new Owner(local, ["Local"], "of a resistance");
+}
+yield new Owner($bound(conveyor, "travel"), ["Travel"], "of the take-up travel");
+yield new Owner($bound(conveyor, "cema"), ["Cema"], "of CEMA");
 }
 function* judge___drive(result, ...others) {
 let arc, arcs, by_case, cases, drive, name, pulley;
@@ -1681,6 +2370,7 @@ for (pulley of $iter(drive.pulleys)) {
 yield of_data__data(drive, pulley);
 }
 yield* $iter(of_data__belt_mass(drive));
+yield* $iter(of_drive__reserve(drive));
 }
 function* judge___case(drive, case_, arcs) {
 let index, pulley, result, rule, spot;
@@ -1730,7 +2420,7 @@ if ($truth(tested)) {
 }
 (lagging = check__escaped($bound(drive.pulley($bound(result.arc, "pulley")).lagging, "name")));
 (value = ($truth(gone) ? $b.min($bound(found, "place"), 0.999) : found.place));
-(text = new CheckText("Gross-slip safety", "gross-slip safety", ($truth(tested) ? "Slip leaves the tested range at {value} times Te, minimum {limit}" : "Gross-slip safety {value} is below the {limit} minimum"), "Gross slip: safety {safety} is below {one}", undefined, ("" + $str($m.replace($at($c48c7, found.cause), "⟦lagging⟧", lagging)) + " Safety factor " + $str(case_.kind) + ", " + $str(of_arc__constant_words(take_up)) + "."), ($truth(tested) ? "slip outside tests" : "gross slip"), ("" + "safety factor " + $str(case_.kind) + ": " + $str($or(safety.source, () => "default of wraparc"))), $map([["slides", new Amount(0.0635, "length")], ["safety", new Amount(value, "number")], ["one", new Amount(1.0, "number")]])));
+(text = new CheckText("Gross-slip safety", "gross-slip safety", ($truth(tested) ? "Tested friction transmits {value} times Te, minimum {limit}" : "Gross-slip safety {value} is below the {limit} minimum"), "Gross slip: safety {safety} is below {one}", undefined, ("" + $str($m.replace($at($c48c7, found.cause), "⟦lagging⟧", lagging)) + " Safety factor " + $str(case_.kind) + ", " + $str(of_arc__constant_words(take_up)) + "."), ($truth(tested) ? "slip outside tests" : "gross slip"), ("" + "safety factor " + $str(case_.kind) + ": " + $str($or(safety.source, () => "default of wraparc"))), $map([["slides", new Amount(0.0635, "length")], ["safety", new Amount(value, "number")], ["one", new Amount(1.0, "number")]])));
 (check = rule.compare(value, factor, place, text));
 return ($truth(gone) ? $replaced(check, new Map([["level", "FAILS"], ["headline", "Gross slip: safety {safety} is below {one}"]])) : check);
 }
@@ -1806,7 +2496,7 @@ return null;
 (what = ($truth(fixed) ? "T1 + T2" : what));
 (other = (($truth(fixed) || $truth(after)) ? "" : of_drive___steady(drive)));
 (named = [...(function* () { for (const name of $iter([low, high])) { yield new Place(undefined, name); } })()]);
-yield new Check("take_up", "Take-up tension", "ATTENTION", undefined, undefined, undefined, "take-up tension", undefined, undefined, undefined, undefined, undefined, ("" + $str($m.capitalize(kind)) + " take-up needs equal " + $str(what) + ": " + $str(check__escaped($b.str($at(named, 0)))) + " has {least}, " + $str(check__escaped($b.str($at(named, 1)))) + " has {most}"), ("" + "Set equal " + $str(what) + ", or correct take_up.kind or after."), ($truth(other) ? ("" + "Behind " + $str(check__escaped(other)) + " the tension is equal in every load case.") : ""), "take-up tension", ("" + "take-up " + $str(kind) + ", input"), undefined, undefined, $map([["least", new Amount($at(tensions, low), "force")], ["most", new Amount($at(tensions, high), "force")]]), false);
+yield new Check("take_up", "Take-up tension", "ATTENTION", undefined, undefined, undefined, "take-up tension", undefined, undefined, undefined, undefined, undefined, ("" + $str($m.capitalize(kind)) + " take-up needs equal " + $str(what) + ": " + $str(check__escaped($b.str($at(named, 0)))) + " has {least}, " + $str(check__escaped($b.str($at(named, 1)))) + " has {most}"), ("" + "Set equal " + $str(what) + ", or correct take_up.kind or take_up.after."), ($truth(other) ? ("" + "Behind " + $str(check__escaped(other)) + " the tension is equal in every load case.") : ""), "take-up tension", ("" + "take-up " + $str(kind) + ", input"), undefined, undefined, $map([["least", new Amount($at(tensions, low), "force")], ["most", new Amount($at(tensions, high), "force")]]), false);
 }
 function alike__falling(items, key) {
 let every, numbers, rounded, step;
@@ -1841,26 +2531,25 @@ if (!$truth(kind)) {
 continue;
 }
 (place = new Place(undefined, case_.name));
-yield new Check("case_kind", "Kind of load case", "ATTENTION", place, false, undefined, "kind of load case", undefined, undefined, undefined, undefined, undefined, ("" + "Load case " + $str(check__escaped($b.str(place))) + " is judged as running"), ("" + "Set kind = \"" + $str(kind) + "\"."), ("" + "Its name says " + $str(kind) + ": safety factors and belt ratings of running are compared."), "kind of load case", "name and kind of the load case, as given", undefined, undefined, undefined, false);
+yield new Check("case_kind", "Kind of load case", "ATTENTION", place, false, undefined, "kind of load case", undefined, undefined, undefined, undefined, undefined, ("" + "Load case " + $str(check__escaped($b.str(place))) + " is judged as running"), ("" + "Set kind = \"" + $str(kind) + "\" in load case " + $str(check__escaped($b.str(place))) + "."), ("" + "Its name says " + $str(kind) + ": safety factors and belt ratings of running are compared."), "kind of load case", "name and kind of the load case, as given", undefined, undefined, undefined, false);
 }
 }
 function case_kind__named_kind(case_) {
-let kind, name, says, words;
+let kinds;
 
-if ((!$eq(case_.kind, "running"))) {
-return "";
+(kinds = (($eq(case_.kind, "running")) ? case_names__named_kinds($bound(case_, "name")) : []));
+return ($truth(kinds) ? $at(kinds, 0) : "");
 }
-(name = $m.join("", [...(function* () { for (const letter of $iter($m.lower(case_.name))) { yield (($in(letter, "abcdefghijklmnopqrstuvwxyz")) ? letter : " "); } })()]));
-(words = $m.split(name));
-if ($truth($b.any((function* () { for (const word of $iter(words)) { yield ($in(word, $c8c32)); } })()))) {
-return "";
+function case_names__named_kinds(name) {
+let plain, words;
+
+(plain = $m.translate($m.lower(name), $cae1d));
+(plain = $m.join(" ", $m.split($m.join("", [...(function* () { for (const c of $iter(plain)) { yield (($in(c, "abcdefghijklmnopqrstuvwxyz")) ? c : " "); } })()]))));
+(words = $m.split($m.replace($m.replace(plain, "not aus", "notaus"), "not halt", "nothalt")));
+if ($truth($b.any((function* () { for (const word of $iter(words)) { yield ($in(word, $c3b1b)); } })()))) {
+return [];
 }
-for ([kind, says] of $iter($m.items($c626f))) {
-if ($truth($b.any((function* () { for (const word of $iter(words)) { yield ($in(word, says)); } })()))) {
-return kind;
-}
-}
-return "";
+return [...(function* () { for (const [kind, says] of $iter($m.items($c29fa))) { if (!($truth($b.any((function* () { for (const word of $iter(words)) { yield ($in(word, says)); } })())))) continue; yield kind; } })()];
 }
 function* judge__diameters(drive) {
 let pulley, spot;
@@ -1921,7 +2610,7 @@ yield new Owner($bound(criteria, "take_up"), ["TakeUp"], "of the take-up");
 yield new Owner($bound(criteria, "standard"), ["DesignStandard"], "of the design standard");
 yield new Owner($bound(criteria, "safety"), ["SafetyFactors"], "safety factor");
 yield new Owner($bound(criteria, "sag"), ["Sag"], "for the sag of the belt");
-yield new Owner($bound(drive, "conveyor"), ["Conveyor"], "of the conveyor");
+yield* $iter(usual___conveyor_owners($bound(drive, "conveyor")));
 for (lagging of $iter(drive.laggings)) {
 (of = ("" + "of " + $str(lagging.name)));
 yield new Owner(lagging, ["Lagging"], of);
@@ -1980,10 +2669,10 @@ let action, headline, least, meant, most, near, small, usual_ends;
 ([least, most] = ends);
 (small = ((least > 0.0) ? least : $mul(0.1, most)));
 (meant = $m.join(" or ", parse__meant_by(value, dimension, small, most)));
-(action = ($truth(meant) ? ("" + "Check the unit: " + $str(meant) + "?") : "Check the unit."));
+(action = ("" + "Check the unit of " + $str(name) + $str(($truth(meant) ? ("" + ": " + $str(meant) + "?") : "."))));
 if (($eq(dimension, "number"))) {
 (near = $b.next((function* () { for (const n of $iter([0.1, 10.0, 0.01, 100.0])) { if (!((least <= $mul(n, value) && $mul(n, value) <= most))) continue; yield n; } })(), null));
-(action = ((near == null) ? "Check the number." : ("" + "Check the number: " + $format($mul(near, value), ("" + ".3g")) + ".")));
+(action = ("" + "Check " + $str(name) + $str(((near == null) ? "." : ("" + ": " + $format($mul(near, value), ("" + ".3g")) + "?")))));
 }
 if ((($eq(name, "wrap")) && (value > most))) {
 (action = "Give each pulley its own wrap.");
@@ -2067,7 +2756,7 @@ for ([value, [key, ...ends]] of $iter($b.zip(of.sizes(), $ce959, $k({strict: tru
 if (!$truth(numbers__usual(value, least, most))) {
 (odd = true);
 (name = ("" + "conveyor " + $str($m.replace(key, "_", " "))));
-(dimension = $at($ccebb, key).dimension);
+(dimension = $at($cc312, key).dimension);
 yield usual__unusual(name, dimension, $cb829, value, [least, most]);
 }
 }
@@ -2152,7 +2841,7 @@ function numbers__compared_sizes(of) {
 return [of.width, of.modulus, of.speed, of.diameter, of.idle_wrap, of.wrap_angle, of.creep_limit, of.overrun, of.thickness, of.shear_modulus, of.compression_modulus, of.rating, of.bond_strength, of.fatigue_limit, of.face_pressure, of.least_diameter, (of.sag / of.width), (of.strength / of.rating), (of.modulus / of.rating), ($mul(2.0, of.rating) / of.diameter), (of.entry / of.width), (of.leaving / of.width), $mul($b.abs($bound(of, "pull")), of.speed), (of.mass / of.width)];
 }
 function of_data__data(drive, pulley) {
-let grounds, key, kind, lagging, owner, sentences, sources, weak, word;
+let grounds, key, kind, lagging, owned, owner, sentences, sources, weak, word;
 
 (lagging = pulley.lagging);
 (sources = $map([]));
@@ -2161,7 +2850,8 @@ let grounds, key, kind, lagging, owner, sentences, sources, weak, word;
 (weak = $add(weak, [...(function* () { for (const kind of $iter(grounds)) { if (!(($in(kind, $cb216)))) continue; yield [kind, "friction", "friction"]; } })()]));
 for ([kind, key, owner] of $iter(of_data__weak_sources(drive, pulley))) {
 (word = of_data__key_word(key));
-$m.append($m.setdefault(sources, kind, []), ((!$eq(owner, word)) ? ("" + $str(word) + " of " + $str(owner)) : word));
+(owned = $and(($eq(owner, "belt")), () => $m.startswith(word, owner)));
+$m.append($m.setdefault(sources, kind, []), ($truth(owned) ? word : ("" + $str(word) + " of " + $str(owner))));
 $m.append(weak, [kind, key, word]);
 }
 (sentences = $add(sentences, [...(function* () { for (const kind of $iter($c5dd1)) { if (!(($in(kind, sources)))) continue; yield ("" + $str($m.capitalize(kind)) + ": " + $str($m.join(", ", $b.fromkeys($at(sources, kind)))) + "."); } })()]));
@@ -2212,6 +2902,14 @@ return $or(($eq(row.kind, belt.kind)), () => !$truth(belt.kind));
 }
 function belt_mass___rating_agrees(row, belt) {
 return $and((belt.rating != null), () => ($b.abs($math.log((row.rating / belt.rating))) <= $math.log(1.3)));
+}
+function* of_drive__reserve(drive) {
+let noun, why;
+
+if ($truth(drive.states_uncertainty)) {
+([noun, why] = ["reserve", "wraparc solve checks stated uncertainties"]);
+yield rule__not_checked("reserve", "Reserve", noun, new Place(), undefined, why);
+}
 }
 function judge___conditions(result) {
 let cases, conditions;
@@ -2387,12 +3085,13 @@ function design_standard___cema(standard) {
 return $and((standard.friction == null), () => ($eq($or(standard.name, () => "CEMA"), "CEMA")));
 }
 function design_standard___manual(lagging, wrap_angle) {
-let angle, ends, factor, rows;
+let angle, ends, factor, rows, why;
 (rows = design_standard___rows(lagging));
 (angle = $math.degrees(wrap_angle));
 if (!($sub($at($at(rows, 0), 0), 1e-09) <= angle && angle <= $add($at($at(rows, $neg(1)), 0), 1e-09))) {
 (ends = ("" + $format($at($at(rows, 0), 0), ("" + "g")) + " to " + $format($at($at(rows, $neg(1)), 0), ("" + "g")) + " deg"));
-return design_standard___silent("CEMA", ("" + "manual take-up factors cover wraps " + $str(ends)));
+(why = ("" + "wrap " + $format(angle, ("" + ".4g")) + " deg, manual take-up factors cover " + $str(ends)));
+return design_standard___silent("CEMA", why, ("" + "Use a wrap of " + $str(ends) + ", or set design_standard.friction."));
 }
 (factor = $b.next((function* () { for (const [row, value] of $iter($b.reversed(rows))) { if (!((row <= $add(angle, 1e-09)))) continue; yield value; } })()));
 return new StandardRequirement("CEMA", ("" + "manual take-up, Cw " + $format(factor, ("" + "g"))), factor, "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8)");
@@ -2400,8 +3099,8 @@ return new StandardRequirement("CEMA", ("" + "manual take-up, Cw " + $format(fac
 function design_standard___rows(lagging) {
 return $at($c5f1f, (($eq(lagging.surface, "bare")) ? "bare" : "lagged"));
 }
-function design_standard___silent(name, why) {
-return new StandardRequirement(name, "", NaN, "", why);
+function design_standard___silent(name, why, remedy = "Set design_standard.friction.") {
+return new StandardRequirement(name, "", NaN, "", why, remedy);
 }
 function design_standard___friction(standard, lagging) {
 let condition, found, friction, how, name, stated, value;
@@ -3160,7 +3859,7 @@ let group, pull, pulley, ratio;
 return [...$iter(inputs__belt_inputs($replaced(drive.belt, new Map([["speed", arc.belt_speed]])))), ...$iter(inputs___pulley(drive, pulley, $bound(arc, "entry_overrun"))), ...$iter(inputs__lagging_inputs($bound(pulley, "lagging"))), ...$iter(inputs___tensions(drive, arc)), inputs___named(group, "effective_tension", pull, null, $bound(arc, "duty")), inputs___named(group, "tension_ratio", ratio, null)];
 }
 function* inputs__belt_inputs(belt) {
-let group, key, layers, least, most, name, origin_of, shear;
+let group, key, layers, least, measured, most, name, origin_of, remark, shear;
 
 (group = "Belt");
 function origin(key) {
@@ -3174,7 +3873,9 @@ $sig(own, ["title", "value", "dimension", "key"], false);
 (name = ($truth(belt.kind) ? ("" + $str(belt.name) + " (" + $str(belt.kind) + ")") : belt.name));
 yield new Input(group, "Belt", name, undefined, undefined, belt.provenance);
 yield inputs___named(group, "belt_width", $bound(belt, "width"), origin("width"));
-yield inputs___named(group, "belt_modulus", $bound(belt, "modulus"), origin("modulus"));
+(measured = belt_modulus__format_test($bound(belt, "kind"), $bound(belt, "modulus_test"), $bound(belt, "modulus_loads")));
+(remark = ($truth($math.isinf($bound(belt, "modulus"))) ? "" : measured));
+yield inputs___named(group, "belt_modulus", $bound(belt, "modulus"), origin("modulus"), remark);
 yield inputs___named(group, "axial_stiffness", $bound(belt, "axial_stiffness"), null, "M B");
 yield own("Rating of the belt", $bound(belt, "rating"), "force_per_width", "rating");
 if ((belt.breaking_strength != null)) {
@@ -3205,6 +3906,23 @@ function inputs___named(group, name, value, origin, remark = "") {
 let entry;
 (entry = term(name));
 return new Input(group, $bound(entry, "title"), value, $bound(entry, "dimension"), $bound(entry, "symbol"), origin, remark, name);
+}
+function belt_modulus__format_test(kind, test, loads) {
+let range_text, ratio;
+
+if (!$truth(test)) {
+return "static or dynamic: not stated";
+}
+(range_text = ((loads == null) ? "" : ("" + ", " + $format($mul(100.0, $at(loads, 0)), ("" + "g")) + " to " + $format($mul(100.0, $at(loads, 1)), ("" + "g")) + " % of strength")));
+if (($eq(test, "dynamic"))) {
+return ("" + "dynamic" + $str(range_text));
+}
+(ratio = belt_modulus__find_ratio(kind));
+return ("" + "static" + $str(range_text) + ": dynamic " + $format(ratio.least, ("" + "g")) + " to " + $format(ratio.most, ("" + "g")) + " times as much");
+}
+function belt_modulus__find_ratio(kind) {
+
+return $m.get($c8e29, kind, $at($c8e29, "fabric"));
 }
 function* inputs___pulley(drive, pulley, overrun = null) {
 let by_formula, conditions, group, known, lagging, limit, offset, side, title;
@@ -3245,7 +3963,7 @@ yield new Input(group, "Lagging", lagging, undefined, undefined, origin("lagging
 yield* $iter(inputs___across(pulley, origin));
 }
 function* inputs___across(pulley, origin) {
-let across, dimension, group, key, profile, remark, rows, size, skew, title;
+let across, dimension, group, key, profile, remark, rows, size, skew, text, title;
 
 ([across, group] = [pulley.across, ("" + "Pulley " + $str(pulley.name))]);
 if ((across == null)) {
@@ -3260,12 +3978,17 @@ for ([key, profile] of $iter($m.items(across.profiles()))) {
 yield new Input(group, title, size, dimension, "", origin("across"), remark);
 }
 if ($truth(across.misalignment)) {
-(skew = $mul(1000.0, across.misalignment));
-yield new Input(group, "Misalignment", ("" + $format(skew, ("" + "g")) + " mm/m"), undefined, undefined, origin("across"));
+(skew = across.misalignment);
+(text = cell__either(("" + $format($mul(1000.0, skew), ("" + ".4g")) + " mm/m"), ("" + $format($mul(12.0, skew), ("" + ".4g")) + " in/ft")));
+yield new Input(group, "Misalignment", text, undefined, undefined, origin("across"));
 }
 if ($truth(across.deflection)) {
 yield new Input(group, "Shaft deflection", $bound(across, "deflection"), "length", "", origin("across"));
 }
+}
+function cell__either(si, us) {
+
+return (($eq(si, us)) ? si : ("" + "\u0004" + $str(si) + "\u0005" + $str(us) + "\u0006"));
 }
 function* inputs__lagging_inputs(lagging, conditions = []) {
 let by_law, group, key, least, most, name, scaled, tested;
@@ -3382,7 +4105,7 @@ if (($truth($b.isinstance(step, "int")) && $truth($b.isinstance(raw, "Sequence")
 if (($truth($b.isinstance(raw, "Mapping")) && ($in(step, raw)))) {
 (raw = $at(raw, step));
 } else {
-return $c2f8b;
+return $ca9ba;
 }
 }
 }
@@ -3395,6 +4118,7 @@ let common, found, laws, made, notes, parts, sources;
 (sources = origins__read_sources(record, $c246c, report));
 (common = $map([...(function* () { for (const key of $iter($c6dce)) { if (!(($in(key, record)))) continue; yield [key, $at(record, key)]; } })()]));
 $put(common, "provenance", $or(origins__own_provenance(record, report), () => new Provenance()));
+$put(common, "uncertainty", uncertain__read_uncertainty(record, $c5832, report));
 $put(common, "cost", $c5864.built($m.get(record, "cost"), report));
 (common = $merged(common, lagging_build___elasticity(record, sources, $at(common, "provenance"), report)));
 (laws = [...(function* () { for (const law of $iter($m.get(record, "law", []))) { if (!($truth($b.isinstance(law, Record)))) continue; yield law; } })()]);
@@ -4013,6 +4737,23 @@ function criteria__choice_problems(thing, choices) {
 
 return [...(function* () { for (const [key, words] of $iter($m.items(choices))) { if (!((!$in($b.getattr(thing, key), words)))) continue; yield new Problem(("" + "must be one of " + $str($m.join(", ", (function* () { for (const word of $iter(words)) { if (!($truth(word))) continue; yield word; } })()))), undefined, undefined, key, $shown($b.getattr(thing, key))); } })()];
 }
+function uncertain__uncertainty_problems(values, names) {
+let key, message, place, problems, value;
+
+(problems = []);
+for ([key, value] of $iter($m.items(values))) {
+(place = ("" + $str("uncertainty") + "." + $str(key)));
+if ((!$in(key, names))) {
+$m.append(problems, new Problem("has no uncertainty", uncertain___remedy(key, names), undefined, place));
+} else {
+if (!(0.0 <= value && value <= 1.0)) {
+(message = "must be a percentage from 0 % to 100 %");
+$m.append(problems, new Problem(message, undefined, undefined, place, ("" + $format($mul(100.0, value), ("" + "g")) + " %")));
+}
+}
+}
+return problems;
+}
 function limits__name_problems(key, name) {
 let message;
 
@@ -4022,13 +4763,33 @@ return [];
 (message = "must be a printable text of 1 to 60 characters");
 return [new Problem(message, undefined, undefined, key, $shown(name))];
 }
+function flight__place_problems(at, position) {
+let end, given, message, on_strand, remedy;
+
+if ((!$in(at, $ce3f2))) {
+(message = ("" + "must be one of " + $str($m.join(", ", $ce3f2))));
+return [new Problem(message, undefined, undefined, "at", $shown(at))];
+}
+(on_strand = ($in(at, ["carry", "return"])));
+if (($truth(on_strand) && (position == null))) {
+(end = (($eq(at, "carry")) ? "tail" : "head"));
+(remedy = ("" + "Write position = \"120 m\" from the " + $str(end) + "."));
+return [new Problem("missing", remedy, undefined, "position", undefined, undefined, "missing")];
+}
+if (((position != null) && !$truth(on_strand))) {
+(message = ("" + "goes with \"carry\" or \"return\", not " + $str(at)));
+(given = display__display(position, "length"));
+return [new Problem(message, "Leave it out.", undefined, "position", given)];
+}
+return [];
+}
 function belt_mass__is_stated(belt) {
 
 return $and((belt.mass != null), () => !($truth(belt_mass__is_of_layers(belt)) || $truth(belt_mass__is_of_conveyor(belt))));
 }
 function belt_mass__is_of_layers(belt) {
 
-return $and((belt.mass != null), () => $m.startswith(belt.source_of("mass").note, "computed from carcass and covers"));
+return $and((belt.mass != null), () => ($in("computed from carcass and covers", belt.source_of("mass").note)));
 }
 function belt_mass__is_of_conveyor(belt) {
 
@@ -4412,7 +5173,7 @@ function of_arc___creep(of) {
 let limit;
 
 (limit = of.state.creep_limit);
-return new CheckText("Creep", "creep", "Creep {value} exceeds the {limit} limit", "Creep {creep} exceeds {slides}: gross slip", undefined, of_arc___allowance($bound(of, "drive"), limit), "creep", (($eq(limit, 0.00635)) ? "conservative limit, 1/4 in; B. DeVries, A model of lagging friction" : "input"), $map([["creep", new Amount($m.get(of.state.found, "exit_creep", NaN), "length")], ["slides", new Amount(0.0635, "length")], ["fabric", new Amount($at($c2c2b, "fabric"), "force_per_width")], ["allowed", new Amount($mul(2.0, 0.00635), "length")]]));
+return new CheckText("Creep", "creep", "Creep {value} exceeds the {limit} limit", "Creep {creep} exceeds the {slides} gross-slip limit", undefined, of_arc___allowance($bound(of, "drive"), limit), "creep", (($eq(limit, 0.00635)) ? "conservative limit, 1/4 in; B. DeVries, A model of lagging friction" : "input"), $map([["creep", new Amount($m.get(of.state.found, "exit_creep", NaN), "length")], ["slides", new Amount(0.0635, "length")], ["fabric", new Amount($at($c2c2b, "fabric"), "force_per_width")], ["allowed", new Amount($mul(2.0, 0.00635), "length")]]));
 }
 function of_arc___allowance(drive, limit) {
 let belt, least, over, rating, steel, strong;
@@ -4461,7 +5222,7 @@ return new CheckText(title, noun, undefined, undefined, undefined, undefined, un
 (rated = $mul(belt.rating, belt.width));
 (action = "Use a belt rated {rated} (now {rating}).");
 if (($truth(momentary) && (belt.momentary_factor == null))) {
-(action = "Give momentary_factor {factor} if the maker allows it.");
+(action = "Use a belt rated {rated}, or give momentary_factor {factor} if its maker allows it.");
 }
 (needed = (tension / $mul(belt.width, factor)));
 return new CheckText(title, noun, $add("Belt tension {value} exceeds the {limit} ", (($truth(momentary) && (!$eq(factor, 1.0))) ? "momentary rating" : "rating")), undefined, action, ("" + "{share} % of the rating" + $str(($truth(times) ? ("" + ", factor " + $format(factor, ("" + "g"))) : "")) + "."), "belt tension", ("" + "rating of the belt" + $str(times) + ": " + $str(rule__origin($m.get(belt.sources, "rating", $bound(belt, "provenance"))))), $map([["share", new Amount(($mul(100.0, tension) / rated), "number")], ["factor", new Amount((tension / rated), "number", "up")], ["rated", new Amount(needed, "force_per_width", "up")], ["rating", new Amount($bound(belt, "rating"), "force_per_width")]]));
@@ -4544,7 +5305,7 @@ let belt, noun, title;
 if ((belt.largest_wrap_pressure == null)) {
 return new CheckText(title, noun, undefined, undefined, undefined, undefined, undefined, undefined, undefined, "belt.largest_wrap_pressure");
 }
-return new CheckText(title, noun, "Face pressure {value} exceeds the belt limit {limit}", undefined, "Use a pulley of {larger} (now {diameter}).", undefined, "face pressure", rule__origin($m.get(belt.sources, "largest_wrap_pressure", $bound(belt, "provenance"))), of_drive___diameter_for(of, $bound(belt, "largest_wrap_pressure")));
+return new CheckText(title, noun, "Face pressure {value} exceeds the belt limit {limit}", undefined, "Use pulley diameter {larger} (now {diameter}).", undefined, "face pressure", rule__origin($m.get(belt.sources, "largest_wrap_pressure", $bound(belt, "provenance"))), of_drive___diameter_for(of, $bound(belt, "largest_wrap_pressure")));
 }
 function of_drive___diameter_for(of, allowed) {
 let larger, pressure;
@@ -4580,7 +5341,7 @@ let noun, tested, title;
 if ((tested == null)) {
 return new CheckText(title, "tested wrap pressure", undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, "friction without tests");
 }
-return new CheckText(title, noun, "Wrap pressure {value} exceeds the tested {limit}", undefined, "Use a pulley of {larger} (now {diameter}).", "There the friction is extrapolated.", "pressure above tests", of_drive__tests_of($bound(of, "pulley")), of_drive___diameter_for(of, $bound(tested, "pressure_max")));
+return new CheckText(title, noun, "Wrap pressure {value} exceeds the tested {limit}", undefined, "Use pulley diameter {larger} (now {diameter}).", "There the friction is extrapolated.", "pressure above tests", of_drive__tests_of($bound(of, "pulley")), of_drive___diameter_for(of, $bound(tested, "pressure_max")));
 }
 function of_drive__tests_of(pulley) {
 
@@ -4651,7 +5412,7 @@ return new CheckText(title, noun, undefined, undefined, undefined, undefined, un
 if ($truth($b.all((function* () { for (const at of $iter(ends)) { yield pull__idles($bound(at, "entry"), $bound(at, "exit")); } })()))) {
 return new CheckText(title, noun, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, ("" + $str(pulley.name) + " is not driven"));
 }
-return new CheckText(title, noun, "Pulley diameter {value} is below the belt minimum {limit}", undefined, "Use a pulley of {limit} or more.", undefined, "pulley diameter", rule__origin($m.get(belt.sources, "least_pulley_diameter", $bound(belt, "provenance"))));
+return new CheckText(title, noun, "Pulley diameter {value} is below the belt minimum {limit}", undefined, "Use pulley diameter {limit} or more.", undefined, "pulley diameter", rule__origin($m.get(belt.sources, "least_pulley_diameter", $bound(belt, "provenance"))));
 }
 function table___ascending(values) {
 return $b.all((function* () { for (const [a, b] of $iter($b.pairwise(values))) { yield (a < b); } })());
@@ -4737,23 +5498,39 @@ return $b.all($b.map(tables___sound, $m.values(value)));
 if ($truth($b.isinstance(value, "list"))) {
 return $b.all($b.map(tables___sound, value));
 }
-return (value !== $c2f8b);
+return (value !== $ca9ba);
 }
 function tables___frozen(value) {
 return ($truth($b.isinstance(value, "list")) ? $b.tuple($b.map(tables___frozen, value)) : value);
+}
+function kinds__table_labels(rows) {
+let names;
+
+(names = [...(function* () { for (const row of $iter(rows)) { yield ($truth($b.isinstance(row, "dict")) ? $m.get(row, "name") : null); } })()]);
+return [...(function* () { for (const [position, name] of $iter($b.enumerate(names, $k({start: 1})))) { yield (($truth($b.isinstance(name, "str")) && $truth($m.strip(name)) && ($eq($m.count(names, name), 1))) ? name : position); } })()];
+}
+function belt_modulus__measurement_problems(test, loads) {
+let message, percent, problems, remedy;
+
+(problems = []);
+if ((!$in(test, ["", ...$iter($c3769)]))) {
+(message = ("" + "must be one of " + $str(errors__format_names($c3769))));
+$m.append(problems, new Problem(message, undefined, undefined, "modulus_test", $shown(test)));
+}
+if (((loads != null) && !(0.0 <= $at(loads, 0) && $at(loads, 0) < $at(loads, 1) && $at(loads, 1) <= 1.0))) {
+(message = "must be the lowest and the highest load, from 0 to 100 % of the strength");
+(percent = [...(function* () { for (const load of $iter(loads)) { yield ("" + $format($mul(100.0, load), ("" + "g")) + " %"); } })()]);
+(remedy = "Write for example [\"2 %\", \"10 %\"].");
+$m.append(problems, new Problem(message, remedy, undefined, "modulus_loads", $shown(percent)));
+}
+return problems;
 }
 function tables__need(key, meaning = "", kind = $c843e, more = new Map()) {
 
 return $replaced($call(Entry, [key, meaning, kind], [...more]), new Map([["required", true]]));
 }
-function resistance__no_coefficient(length) {
-let least;
-
-if (!$truth($math.isnan(resistance__coefficient_at(length)))) {
-return [];
-}
-(least = $at($at($c2838, 0), 0));
-return [new Problem(("" + "below " + $format(least, ("" + "g")) + " m, where no coefficient C is tabulated"), "Give secondary_resistance or length_coefficient.", undefined, "length", display__display(length, "length"))];
+function description___known(value, other) {
+return ((value == null) ? other : value);
 }
 function resistance__coefficient_at(length) {
 let end, found, high, low, start;
@@ -4766,16 +5543,348 @@ return $add(high, ($mul($sub(low, high), $sub(length, start)) / $sub(end, start)
 }
 return found;
 }
-function conveyor___known(value, other) {
-return ((value == null) ? other : value);
-}
-function conveyor___slack(state, least) {
-let message, remedy, where;
+function resistance__no_coefficient(length) {
+let least;
 
-(where = (($in(least, [state.entry, state.exit])) ? "at the drive pulley" : "at the far end"));
-(message = ("" + "leaves " + $str(display__display(least, "force")) + " " + $str(where) + " in load case " + $str(state.name)));
-(remedy = "Give a larger take-up tension.");
-return new Problem(message, remedy, undefined, "take_up_tension");
+if (!$truth($math.isnan(resistance__coefficient_at(length)))) {
+return [];
+}
+(least = $at($at($c2838, 0), 0));
+return [new Problem(("" + "below " + $format(least, ("" + "g")) + " m, where no coefficient C is tabulated"), "Give secondary_resistance or length_coefficient.", undefined, "length", display__display(length, "length"))];
+}
+function* fits__flight_misfits(of) {
+let case_, flight, i, key, message, names, problem, stated;
+
+if (($b.len($bound(of, "flights")) > 0)) {
+yield* $iter(fits___closing(of));
+}
+for ([i, flight] of $iter($b.enumerate($bound(of, "flights")))) {
+for (problem of $iter(flight.misfits())) {
+yield $replaced(problem, new Map([["key", ("" + "flight[" + $str($add(i, 1)) + "]." + $str(problem.key))]]));
+}
+}
+(names = [...(function* () { for (const flight of $iter(of.course_flights)) { yield flight.name; } })()]);
+yield* $iter(fits___repeated("flight", names));
+yield* $iter(fits___repeated("loading", [...(function* () { for (const point of $iter(of.loadings)) { yield point.name; } })()]));
+yield* $iter(fits___repeated("load_case", [...(function* () { for (const case_ of $iter(of.cases)) { yield case_.name; } })()]));
+yield* $iter(fits___repeated("drive", [...(function* () { for (const drive of $iter(of.drives)) { yield drive.pulley; } })()]));
+yield* $iter(fits___loadings(of, names));
+for ([i, case_] of $iter($b.enumerate($bound(of, "cases")))) {
+yield* $iter(fits___case(of, case_, ("" + "load_case[" + $str($add(i, 1)) + "]"), names));
+}
+yield* $iter(fits___drives(of));
+yield* $iter(fits___locals(of));
+for ([key, stated] of $iter([["length_coefficient", (of.length_coefficient != null)], ["secondary_resistance", (of.secondary_resistance != null)]])) {
+if (($truth(stated) && $truth(of.itemised))) {
+(message = "contradicts [[conveyor.resistance]], which gives them one by one");
+yield new Problem(message, "Leave one of them out.", undefined, key);
+}
+}
+}
+function* fits___closing(of) {
+let given, high, key, long, made, message, remedy, value;
+
+([long, high] = [$b.sum((function* () { for (const f of $iter(of.flights)) { yield f.length; } })()), $b.sum((function* () { for (const f of $iter(of.flights)) { yield f.rise; } })())]);
+for ([key, given, made] of $iter([["length", of.length, long], ["lift", of.lift, high]])) {
+if (($b.abs($sub(given, made)) > $mul(0.001, of.length))) {
+(message = ("" + "the flights make " + $str(display__display(made, "length"))));
+(remedy = "Correct a flight, or leave it out.");
+(value = display__display(given, "length"));
+yield new Problem(message, remedy, undefined, key, value);
+}
+}
+}
+function* fits___repeated(key, names) {
+let i, name, remedy;
+for ([i, name] of $iter($b.enumerate(names))) {
+if (($in(name, $slice(names, null, i)))) {
+(remedy = "Give each its own name.");
+yield new Problem("used twice", remedy, undefined, ("" + $str(key) + "[" + $str($add(i, 1)) + "]"), name);
+}
+}
+}
+function* fits___loadings(of, names) {
+let i, key, message, point, remedy, value;
+for ([i, point] of $iter($b.enumerate($bound(of, "loadings")))) {
+(key = ("" + "loading[" + $str($add(i, 1)) + "]"));
+if (($truth(point.flight) && (!$in(point.flight, names)))) {
+([value, remedy] = [$shown($bound(point, "flight")), errors__name_remedy($bound(point, "flight"), names)]);
+(message = "no such flight");
+yield new Problem(message, remedy, undefined, ("" + $str(key) + ".flight"), value);
+}
+yield* $iter(fits___beyond(of, key, $bound(point, "position")));
+if (((point.capacity != null) && (of.speed == null))) {
+(remedy = "Write speed = \"3 m/s\" in [belt].");
+yield new Problem("needs the belt speed", remedy, undefined, ("" + $str(key) + ".capacity"));
+}
+}
+if (($truth(of.itemised) && (of.speed == null))) {
+(remedy = "Write speed = \"3 m/s\" in [belt].");
+yield new Problem("needs the belt speed", remedy, undefined, "resistance");
+}
+}
+function* fits___beyond(of, key, position) {
+let given, message;
+
+if (((position != null) && (position > $mul(of.length, $add(1.0, 1e-09))))) {
+(message = ("" + "is on no flight, the conveyor is " + $str(display__display($bound(of, "length"), "length")) + " long"));
+(given = display__display(position, "length"));
+yield new Problem(message, undefined, undefined, ("" + $str(key) + ".position"), given);
+}
+}
+function* fits___case(of, case_, key, names) {
+let keys, kind, known, listed, loads, message, remedy;
+if (($in(case_.name, $c695b))) {
+(message = "is a load case of every conveyor");
+(remedy = "Give it another name.");
+yield new Problem(message, remedy, undefined, ("" + $str(key) + ".name"), $shown($bound(case_, "name")));
+}
+(listed = ($truth($b.isinstance(case_.loaded, "str")) ? [] : case_.loaded));
+if (($truth($b.isinstance(case_.loaded, "str")) && (!$in(case_.loaded, $c28af)))) {
+(remedy = ("" + "Write one of " + $str(errors__format_names($c28af)) + ", or an array of flights."));
+(message = "must say which flights have material");
+yield new Problem(message, remedy, undefined, ("" + $str(key) + ".loaded"), $shown($bound(case_, "loaded")));
+return null;
+}
+yield* $iter(fits___unknown(("" + $str(key) + ".loaded"), listed, names));
+yield* $iter(fits___unknown(("" + $str(key) + ".factor"), $bound(case_, "factor"), names));
+(loads = [...(function* () { for (const flight of $iter(of.course_flights)) { yield case_.factor_of(flight); } })()]);
+if (((!$eq(case_.loaded, "none")) && ($b.max(loads) <= 0.0) && $truth($b.all((function* () { for (const name of $iter(listed)) { yield ($in(name, names)); } })())))) {
+(message = "loads no flight");
+(remedy = "Name flights, or write loaded = \"none\" for the empty belt.");
+yield new Problem(message, remedy, undefined, ("" + $str(key) + ".loaded"));
+}
+for ([kind, keys] of $iter([["starting", "start_time"], ["braking", "stop_time"]])) {
+(known = (($eq(kind, "braking")) ? of.stop_time : $or(of.start_time, () => of.start_factor)));
+if ((($eq(case_.kind, kind)) && (known == null))) {
+(remedy = ("" + "Write " + $str(keys) + " = \"20 s\"."));
+(message = ("" + "needs " + $str(keys) + " of [conveyor]"));
+yield new Problem(message, remedy, undefined, ("" + $str(key) + ".kind"), kind);
+}
+}
+}
+function* fits___unknown(key, given, names) {
+let name, remedy;
+for (name of $iter(given)) {
+if ((!$in(name, names))) {
+(remedy = errors__name_remedy(name, names));
+yield new Problem("no such flight", remedy, undefined, key, $shown(name));
+}
+}
+}
+function* fits___drives(of) {
+let along, drive, i, message, pulleys, remedy, shares, turns, value;
+
+for ([i, drive] of $iter($b.enumerate($bound(of, "drives")))) {
+yield* $iter(fits___beyond(of, ("" + "drive[" + $str($add(i, 1)) + "]"), $bound(drive, "position")));
+}
+(pulleys = [...(function* () { for (const drive of $iter(of.drives)) { yield drive.pulley; } })()]);
+if (($truth(of.take_up_after) && (!$in(of.take_up_after, pulleys)))) {
+(remedy = errors__name_remedy($bound(of, "take_up_after"), pulleys));
+(value = $shown($bound(of, "take_up_after")));
+yield new Problem("no such pulley", remedy, undefined, "take_up.after", value);
+}
+if (($truth(of.take_up_after) && (of.take_up_distance > 0.0))) {
+(message = "is a second take-up, besides that after a pulley of [take_up]");
+(value = display__display($bound(of, "take_up_distance"), "length"));
+(remedy = "A belt has one take-up: leave one of them out.");
+yield new Problem(message, remedy, undefined, "take_up_distance", value);
+}
+(along = [...(function* () { for (const drive of $iter(of.drives)) { yield of.along(drive); } })()]);
+(turns = $b.sum((function* () { for (const i of $iter($b.range($b.len(along)))) { yield ($at(along, ($add(i, 1) % $b.len(along))) < $sub($at(along, i), $mul(1e-09, of.length))); } })()));
+if ((turns > 1)) {
+(message = "the pulleys are not in belt order");
+(remedy = "List [[pulley]] as the belt meets them: from the tail up, back along the return.");
+yield new Problem(message, remedy, undefined, "drive");
+}
+(shares = [...(function* () { for (const d of $iter(of.drives)) { if (!((d.brake_share != null))) continue; yield d.brake_share; } })()]);
+if ((($b.len(shares) > 0) && ($b.abs($sub($b.sum(shares), 1.0)) > 1e-06))) {
+(message = ("" + "the brake shares sum to " + $format($b.sum(shares), ("" + ".6g")) + ", not to 1"));
+(remedy = "Give fractions like 0.5 or 50 %.");
+yield new Problem(message, remedy, undefined, "drive");
+}
+}
+function* fits___locals(of) {
+let bends, i, local, message, remedy;
+(bends = false);
+for ([i, local] of $iter($b.enumerate($bound(of, "locals")))) {
+if (!$truth($b.isinstance(local, TiltResistance))) {
+yield* $iter(fits___beyond(of, ("" + "resistance[" + $str($add(i, 1)) + "]"), $bound(local, "position")));
+}
+(bends = $or(bends, () => $b.isinstance(local, PulleyResistance)));
+}
+if (($truth(bends) && (of.thickness == null))) {
+(message = "needs the thickness of the belt");
+(remedy = "Write thickness = \"15 mm\" in [belt].");
+yield new Problem(message, remedy, undefined, "resistance");
+}
+}
+function course__course_states(conveyor) {
+let full;
+
+(full = course__course_state(conveyor, new ConveyorCase("full", "all")));
+return [...(function* () { for (const case_ of $iter(course__standard_cases(conveyor))) { yield course__course_state(conveyor, case_, $bound(full, "pull")); } })()];
+}
+function course__course_state(conveyor, case_, full_pull = 0.0) {
+let _, acceleration, change, forces, moved, moving, one, resting, step, steps, tensions;
+
+(steps = loop__belt_steps(conveyor, case_));
+(moving = $b.sum((function* () { for (const step of $iter(steps)) { if (!($truth($b.isinstance(step, Segment)))) continue; yield step.moving; } })()));
+(tensions = $mul([[conveyor.take_up, conveyor.take_up]], $b.len(steps)));
+(acceleration = 0.0);
+(forces = []);
+for (_ of $iter($b.range(100))) {
+(forces = [...(function* () { for (const [step, [before, after]] of $iter($b.zip(steps, tensions, $k({strict: true})))) { yield ($truth($b.isinstance(step, Segment)) ? $map([...step.forces]) : loop__spot_forces(conveyor, case_, step, $mul(0.5, $add(before, after)))); } })()]);
+(resting = $math.fsum((function* () { for (const one of $iter(forces)) { yield $math.fsum($m.values(one)); } })()));
+(acceleration = course___acceleration(conveyor, case_, resting, full_pull, moving));
+for ([step, one] of $iter($b.zip(steps, forces, $k({strict: true})))) {
+if ($truth($b.isinstance(step, Segment))) {
+$put(one, "inertia", $mul(acceleration, step.moving));
+}
+}
+(moved = course___follow(conveyor, case_, steps, forces));
+(change = $b.max((function* () { for (const [new_, old] of $iter($b.zip(moved, tensions, $k({strict: true})))) { yield $b.abs($sub($at(new_, 1), $at(old, 1))); } })()));
+(tensions = moved);
+if ((change <= $mul(1e-13, $b.max((function* () { for (const [_, after] of $iter(tensions)) { yield $b.abs(after); } })())))) {
+break;
+}
+}
+return course___state(conveyor, case_, acceleration, steps, forces, tensions);
+}
+function loop__belt_steps(conveyor, case_) {
+let here, i, ordered, own, place, places, spots, steps, strand;
+
+(spots = loop___spots(conveyor));
+(steps = []);
+for (strand of $iter($cf0a0)) {
+(own = [...(function* () { for (const spot of $iter(spots)) { if (!(($eq(spot.strand, strand)))) continue; yield spot; } })()]);
+(places = loop___places(conveyor, own, strand));
+for ([i, place] of $iter($b.enumerate(places))) {
+(here = [...(function* () { for (const spot of $iter(own)) { if (!(($eq(loop___nearest(places, $bound(spot, "position")), i)))) continue; yield spot; } })()]);
+(ordered = $b.sorted(here, $k({key: ((s) => [$told($c7ecb, s, "rank"), s.order])})));
+(steps = $add(steps, ordered));
+if (($add(i, 1) < $b.len(places))) {
+$m.append(steps, loop___segment(conveyor, case_, strand, place, $at(places, $add(i, 1))));
+}
+}
+}
+return steps;
+}
+function loop___spots(conveyor) {
+let after, at_tail, drive, i, local, long, name, place, position, pulley, rank, spots, strand;
+
+(long = conveyor.length);
+(spots = []);
+for ([i, position] of $iter($b.enumerate(conveyor.loading_positions()))) {
+(name = ($truth(conveyor.loadings) ? $at(conveyor.loadings, i).name : "loading"));
+$m.append(spots, new loop$Spot("carry", position, 3.0, i, "loading", i, name));
+}
+(after = $neg(1));
+for ([i, drive] of $iter($b.enumerate($bound(conveyor, "course_drives")))) {
+([strand, position] = loop___where($bound(drive, "at"), $bound(drive, "position"), long));
+$m.append(spots, new loop$Spot(strand, position, 1.0, i, "drive", i, $bound(drive, "pulley")));
+if (((!$eq(drive.pulley, "")) && ($eq(drive.pulley, conveyor.take_up_after)))) {
+(after = i);
+$m.append(spots, new loop$Spot(strand, position, 1.0, i, "take-up", 0, "take-up"));
+}
+}
+if ((after < 0)) {
+(at_tail = (conveyor.take_up_distance >= $mul(long, $sub(1.0, 1e-09))));
+(rank = ($truth(at_tail) ? -1.0 : 2.0));
+(place = ["return", conveyor.take_up_distance]);
+$m.append(spots, new loop$Spot(...$iter(place), rank, 0, "take-up", 0, "take-up"));
+}
+for ([i, local] of $iter($b.enumerate($bound(conveyor, "locals")))) {
+if ($truth($b.isinstance(local, SkirtResistance))) {
+$m.append(spots, new loop$Spot("carry", $bound(local, "position"), 3.0, i, "local", i, "skirts"));
+} else {
+if (!$truth($b.isinstance(local, TiltResistance))) {
+([strand, position] = loop___where($bound(local, "at"), $bound(local, "position"), long));
+(pulley = $b.isinstance(local, PulleyResistance));
+(rank = ($truth(pulley) ? 0.0 : 3.0));
+if ((($eq(local.at, "head")) && !$truth(pulley))) {
+([strand, position] = ["return", 0.0]);
+}
+(name = ($truth(pulley) ? "pulley" : "cleaner"));
+if ($truth($b.isinstance(local, PointResistance))) {
+(name = "resistance");
+}
+$m.append(spots, new loop$Spot(strand, position, rank, i, "local", i, name));
+}
+}
+}
+return spots;
+}
+function loop___where(at, position, length) {
+
+if (($eq(at, "head"))) {
+return ["carry", length];
+}
+if (($eq(at, "tail"))) {
+return ["return", length];
+}
+return [at, $or(position, () => 0.0)];
+}
+function loop___places(conveyor, spots, strand) {
+let edges, flights, found, inward, length, lengths, spot;
+
+(flights = conveyor.course_flights);
+(inward = (($eq(strand, "carry")) ? $b.list(flights) : $b.list($b.reversed(flights))));
+(lengths = [...(function* () { for (const flight of $iter(inward)) { yield flight.length; } })()]);
+(edges = [0.0]);
+for (length of $iter(lengths)) {
+$m.append(edges, $add($at(edges, $neg(1)), length));
+}
+(found = $b.list(edges));
+for (spot of $iter(spots)) {
+if (($b.min((function* () { for (const place of $iter(found)) { yield $b.abs($sub(spot.position, place)); } })()) > $mul(1e-09, conveyor.length))) {
+$m.append(found, $bound(spot, "position"));
+}
+}
+return $b.sorted(found);
+}
+function loop___nearest(places, position) {
+let distances;
+(distances = [...(function* () { for (const place of $iter(places)) { yield $b.abs($sub(place, position)); } })()]);
+return $m.index(distances, $b.min(distances));
+}
+function loop___segment(conveyor, case_, strand, start, end) {
+let carried, carries, factor, flight, forces, from_tail, length, lift, material, middle, own, part, rotating, tilt, whole;
+
+([length, whole, carries] = [$sub(end, start), conveyor.length, ($eq(strand, "carry"))]);
+(middle = $mul(0.5, $add(start, end)));
+(from_tail = ($truth(carries) ? middle : $sub(whole, middle)));
+(flight = loop___flight_at(conveyor, from_tail));
+(lift = $mul($mul(flight.sine, length), ($truth(carries) ? 1.0 : $neg(1.0))));
+(material = ($truth(carries) ? loop___material_at(conveyor, case_, from_tail) : 0.0));
+(carried = $add(conveyor.belt_mass, material));
+(rotating = ($truth(carries) ? conveyor.carry_idler_mass : conveyor.return_idler_mass));
+(own = ($truth(carries) ? flight.carry_idler_mass : flight.return_idler_mass));
+(rotating = ((own == null) ? rotating : own));
+(factor = $or(flight.friction_factor, () => conveyor.friction_factor));
+(part = $mul((length / whole), ($truth(carries) ? $sub(1.0, conveyor.return_share) : conveyor.return_share)));
+(tilt = $b.sum((function* () { for (const local of $iter(conveyor.locals)) { if (!(($truth($b.isinstance(local, TiltResistance)) && ($eq(local.strand, strand))))) continue; yield local.per_weight(whole); } })()));
+(forces = $map([["main", resistance__main_resistance(factor, length, $mul(flight.sine, length), rotating, carried)], ["slope", resistance__slope_resistance(lift, carried)], ["secondary", $mul(part, loop___spread_secondary(conveyor, case_))], ["special", $mul(part, conveyor.special_resistance)], ["tilt", $mul($mul($mul($mul(tilt, carried), 9.80665), flight.cosine), length)]]));
+return new Segment(strand, flight, start, length, lift, carried, rotating, forces);
+}
+function loop___flight_at(conveyor, position) {
+let end, flight;
+
+(end = 0.0);
+for (flight of $iter(conveyor.course_flights)) {
+(end = $add(end, flight.length));
+if ((position < $sub(end, $mul(1e-09, conveyor.length)))) {
+return flight;
+}
+}
+return $at(conveyor.course_flights, $neg(1));
+}
+function loop___material_at(conveyor, case_, position) {
+let loaded, slack;
+
+(slack = $mul(1e-09, conveyor.length));
+(loaded = $b.sum((function* () { for (const [i, start] of $iter($b.enumerate(conveyor.loading_positions()))) { if (!((start <= $add(position, slack)))) continue; yield conveyor.loading_mass(i); } })()));
+return $mul(loaded, case_.factor_of(loop___flight_at(conveyor, position)));
 }
 function resistance__main_resistance(friction_factor, length, lift, rotating, carried) {
 let cosine;
@@ -4787,9 +5896,247 @@ function resistance__slope_resistance(lift, carried) {
 
 return $mul($mul(9.80665, lift), carried);
 }
-function resistance__inertia(acceleration, length, moving) {
+function loop___spread_secondary(conveyor, case_) {
+let coefficient;
 
-return $mul($mul(acceleration, length), moving);
+(coefficient = conveyor.coefficient);
+if ((coefficient == null)) {
+return $or(conveyor.secondary_resistance, () => 0.0);
+}
+return $mul($sub(coefficient, 1.0), loop___main_total(conveyor, case_));
+}
+function loop___main_total(conveyor, case_) {
+let back, carry, cuts, edges, end, factor, flight, length, lift, loaded, middle, own, start, total;
+
+([total, edges] = [0.0, [0.0]]);
+for (flight of $iter(conveyor.course_flights)) {
+$m.append(edges, $add($at(edges, $neg(1)), flight.length));
+}
+(cuts = $b.sorted(new Set([...$iter(edges), ...$iter(conveyor.loading_positions())])));
+for ([start, end] of $iter($b.pairwise(cuts))) {
+(middle = $mul(0.5, $add(start, end)));
+([flight, length] = [loop___flight_at(conveyor, middle), $sub(end, start)]);
+(factor = $or(flight.friction_factor, () => conveyor.friction_factor));
+(lift = $mul(flight.sine, length));
+(own = [flight.carry_idler_mass, flight.return_idler_mass]);
+(carry = (($at(own, 0) == null) ? conveyor.carry_idler_mass : $at(own, 0)));
+(back = (($at(own, 1) == null) ? conveyor.return_idler_mass : $at(own, 1)));
+(loaded = $add(conveyor.belt_mass, loop___material_at(conveyor, case_, middle)));
+(total = $add(total, resistance__main_resistance(factor, length, lift, carry, loaded)));
+(total = $add(total, resistance__main_resistance(factor, length, lift, back, $bound(conveyor, "belt_mass"))));
+}
+return total;
+}
+function loop__spot_forces(conveyor, case_, spot, tension) {
+let flow, local, point, wrap;
+
+if (($eq(spot.kind, "loading"))) {
+if (!$truth(conveyor.itemised)) {
+return $map([]);
+}
+(flow = $mul(conveyor.loading_mass($bound(spot, "which")), $or(conveyor.speed, () => 0.0)));
+(flow = $mul(flow, case_.factor_of(loop___flight_at(conveyor, $bound(spot, "position")))));
+(point = ($truth(conveyor.loadings) ? $at(conveyor.loadings, spot.which) : null));
+if (((point == null) || ($eq(flow, 0.0)))) {
+return $map([]);
+}
+return $map([["loading", local__loading_force(point, flow, $or(conveyor.speed, () => 0.0))]]);
+}
+if ((!$eq(spot.kind, "local"))) {
+return $map([]);
+}
+(local = $at(conveyor.locals, spot.which));
+if ($truth($b.isinstance(local, PulleyResistance))) {
+(wrap = $method(local, "wrap", [tension, $or(conveyor.width, () => 0.0), $or(conveyor.thickness, () => 0.0)], [["steel", conveyor.steel]]));
+return $map([["wrap", wrap], ["bearing", local.bearing(tension)]]);
+}
+if ($truth($b.isinstance(local, CleanerResistance))) {
+return $map([["cleaner", local.force]]);
+}
+if ($truth($b.isinstance(local, PointResistance))) {
+return $map([["special", local.force]]);
+}
+if ($truth($b.isinstance(local, SkirtResistance))) {
+return $map([["skirt", local.force(loop___material_at(conveyor, case_, $bound(local, "position")))]]);
+}
+return $map([]);
+}
+function local__loading_force(point, flow, speed) {
+let force, landing, long, mean, rubbing;
+
+(landing = point.material_speed);
+(force = $mul(flow, $sub(speed, landing)));
+if (((point.skirt_width == null) || (point.density == null))) {
+return force;
+}
+(long = point.acceleration_length);
+if ((long == null)) {
+(long = ($b.abs($sub($pow(speed, 2), $pow(landing, 2))) / $mul($mul(2.0, 9.80665), point.belt_friction)));
+}
+(mean = $mul(0.5, $add(speed, landing)));
+(rubbing = ($mul($mul(($mul(flow, flow) / point.density), 9.80665), long) / $pow($mul(mean, point.skirt_width), 2)));
+return $add(force, $mul(point.skirt_friction, rubbing));
+}
+function course___acceleration(conveyor, case_, resting, full_pull, moving) {
+let speed;
+
+(speed = conveyor.speed);
+if ((($eq(case_.kind, "starting")) && (conveyor.start_factor != null))) {
+return ($sub($mul(conveyor.start_factor, full_pull), resting) / moving);
+}
+if ((($eq(case_.kind, "starting")) && (conveyor.start_time != null) && (speed != null))) {
+return (speed / conveyor.start_time);
+}
+if ((($eq(case_.kind, "braking")) && (conveyor.stop_time != null) && (speed != null))) {
+return ($neg(speed) / conveyor.stop_time);
+}
+return 0.0;
+}
+function course___follow(conveyor, case_, steps, forces) {
+let before, i, k, now, shares, start, step, tensions, total;
+
+(total = $math.fsum((function* () { for (const one of $iter(forces)) { yield $math.fsum($m.values(one)); } })()));
+(shares = course__drive_shares(conveyor, $bound(case_, "kind")));
+(start = $b.next((function* () { for (const [i, step] of $iter($b.enumerate(steps))) { if (!($truth(loop__is_take_up(step)))) continue; yield i; } })()));
+(tensions = $mul([[0.0, 0.0]], $b.len(steps)));
+(now = conveyor.take_up);
+for (k of $iter($b.range($b.len(steps)))) {
+(i = ($add(start, k) % $b.len(steps)));
+([step, before] = [$at(steps, i), now]);
+(now = $add(before, $math.fsum($m.values($at(forces, i)))));
+if (($truth($b.isinstance(step, loop$Spot)) && ($eq(step.kind, "drive")))) {
+(now = $sub(now, $mul($at(shares, step.which), total)));
+}
+$put(tensions, i, [before, now]);
+}
+return tensions;
+}
+function course__drive_shares(conveyor, kind) {
+let braked;
+
+(braked = [...(function* () { for (const d of $iter(conveyor.course_drives)) { if (!((d.brake_share != null))) continue; yield d.brake_share; } })()]);
+if ((($eq(kind, "braking")) && ($b.len(braked) > 0))) {
+return [...(function* () { for (const d of $iter(conveyor.course_drives)) { yield $or(d.brake_share, () => 0.0); } })()];
+}
+return [...(function* () { for (const drive of $iter(conveyor.course_drives)) { yield drive.share; } })()];
+}
+function loop__is_take_up(step) {
+
+return $and($b.isinstance(step, loop$Spot), () => ($eq(step.kind, "take-up")));
+}
+function course___state(conveyor, case_, acceleration, steps, forces, tensions) {
+let at, back, drive, drives, friction, gravity, i, runs, shares;
+
+(shares = course__drive_shares(conveyor, $bound(case_, "kind")));
+(drives = []);
+for ([i, drive] of $iter($b.enumerate($bound(conveyor, "course_drives")))) {
+(at = $b.next((function* () { for (const [k, s] of $iter($b.enumerate(steps))) { if (!($truth(loop__is_drive(s, i)))) continue; yield k; } })()));
+$m.append(drives, new DrivePull($bound(drive, "pulley"), $at(shares, i), $at($at(tensions, at), 0), $at($at(tensions, at), 1)));
+}
+(back = [...(function* () { for (const [i, step] of $iter($b.enumerate(steps))) { if (!(($eq(step.strand, "return")))) continue; yield i; } })()]);
+(runs = [...(function* () { for (const i of $iter(back)) { if (!($truth($b.isinstance($at(steps, i), Segment)))) continue; yield i; } })()]);
+(gravity = $math.fsum((function* () { for (const one of $iter(forces)) { yield $m.get(one, "slope", 0.0); } })()));
+(friction = $math.fsum((function* () { for (const one of $iter(forces)) { yield $m.get(one, "main", 0.0); } })()));
+return new state$State(case_.name, case_.kind, course___resistances(conveyor, steps, forces), $at($at(tensions, $at(runs, 0)), 0), $at($at(tensions, $at(runs, $neg(1))), 1), $at(drives, 0).entry, $at(drives, $neg(1)).exit, acceleration, course___points(steps, tensions), course___stretches(steps, forces, tensions), $b.tuple(drives), new Standstill(gravity, friction));
+}
+function loop__is_drive(step, index) {
+
+return $and($b.isinstance(step, loop$Spot), () => $and(($eq(step.kind, "drive")), () => ($eq(step.which, index))));
+}
+function course___resistances(conveyor, steps, forces) {
+let found, name, parts, sources;
+
+(sources = $map([...$c98c4, ["main", ("" + $str("DIN 22101:2002-08, 6.2; ISO 5048:1989: f L g (m'R + (m'G + m'L) cos delta)") + ", f = " + $format(conveyor.friction_factor, ("" + "g")) + $str(conveyor.unusual_friction))], ["secondary", "given"]]));
+if ((conveyor.coefficient != null)) {
+$put(sources, "secondary", ("" + $str("DIN 22101:2002-08, 6.3.3: (C - 1) times the main resistance") + ", C = " + $format(conveyor.coefficient, ("" + ".3g"))));
+if ((conveyor.length_coefficient != null)) {
+$put(sources, "secondary", $add($at(sources, "secondary"), " (input)"));
+}
+}
+(found = []);
+for (name of $iter($c5046)) {
+(parts = $map([...(function* () { for (const strand of $iter($cf0a0)) { yield [strand, $math.fsum((function* () { for (const [step, one] of $iter($b.zip(steps, forces, $k({strict: true})))) { if (!(($eq(step.strand, strand)))) continue; yield $m.get(one, name, 0.0); } })())]; } })()]));
+if ((($in(name, $cab60)) && ($eq($at(parts, "carry"), 0.0) && $eq(0.0, $at(parts, "return"))))) {
+continue;
+}
+$m.append(found, new Resistance(name, $at(parts, "carry"), $at(parts, "return"), $at(sources, name)));
+}
+return $b.tuple(found);
+}
+function course___points(steps, tensions) {
+let after, before, last, place, points, step;
+
+(points = []);
+(last = ["", ""]);
+for ([step, [before, after]] of $iter($b.zip(steps, tensions, $k({strict: true})))) {
+if ($truth($b.isinstance(step, loop$Spot))) {
+(place = [step.strand, step.position, step.name, step.kind]);
+$m.append(points, new BeltPoint(...$iter(place), before, after));
+} else {
+if ((!$eq([step.strand, step.flight.name], last))) {
+(last = [step.strand, step.flight.name]);
+(place = [step.strand, step.position, step.flight.name, "flight"]);
+$m.append(points, new BeltPoint(...$iter(place), before, before));
+}
+}
+}
+return $b.tuple(points);
+}
+function course___stretches(steps, forces, tensions) {
+let driven, following, force, found, i, length, name, own, owner, owners, step, total, weight;
+
+(owners = []);
+for ([i, step] of $iter($b.enumerate(steps))) {
+if ($truth($b.isinstance(step, Segment))) {
+$m.append(owners, [step.flight.name, step.strand]);
+continue;
+}
+(following = $b.next((function* () { for (const s of $iter($slice(steps, i, null))) { if (!($truth($b.isinstance(s, Segment)))) continue; yield s; } })(), null));
+if (((following == null) || (!$eq(following.strand, step.strand)))) {
+$m.append(owners, [(($eq(step.strand, "carry")) ? "head" : "tail"), step.strand]);
+} else {
+$m.append(owners, [following.flight.name, step.strand]);
+}
+}
+(found = []);
+for (owner of $iter($b.fromkeys(owners))) {
+(own = [...(function* () { for (const [i, other] of $iter($b.enumerate(owners))) { if (!(($eq(other, owner)))) continue; yield i; } })()]);
+(total = $map([]));
+([driven, weight, length] = [0.0, 0.0, 0.0]);
+for (i of $iter(own)) {
+for ([name, force] of $iter($m.items($at(forces, i)))) {
+$put(total, name, $add($m.get(total, name, 0.0), force));
+}
+(step = $at(steps, i));
+if ($truth($b.isinstance(step, Segment))) {
+(weight = $add(weight, $mul(step.carried, step.length)));
+(length = $add(length, step.length));
+} else {
+if (($eq(step.kind, "drive"))) {
+(driven = $add(driven, $add($sub($at($at(tensions, i), 0), $at($at(tensions, i), 1)), $math.fsum($m.values($at(forces, i))))));
+}
+}
+}
+$m.append(found, new Stretch($at(owner, 0), $at(owner, 1), $at($at(tensions, $at(own, 0)), 0), $at($at(tensions, $at(own, $neg(1))), 1), $b.min((function* () { for (const i of $iter(own)) { yield $b.min($at(tensions, i)); } })()), total, driven, ((length > 0.0) ? (weight / length) : 0.0)));
+}
+return $b.tuple(found);
+}
+function course__standard_cases(conveyor) {
+let cases, rises;
+
+(cases = [new ConveyorCase("full"), new ConveyorCase("empty", "none")]);
+(rises = [...(function* () { for (const flight of $iter(conveyor.course_flights)) { yield flight.rise; } })()]);
+if (($b.min(rises) < 0.0 && 0.0 < $b.max(rises))) {
+$m.append(cases, new ConveyorCase("inclines", "inclines"));
+$m.append(cases, new ConveyorCase("declines", "declines"));
+}
+if (((conveyor.start_factor != null) || (conveyor.start_time != null))) {
+$m.append(cases, new ConveyorCase("start", undefined, undefined, "starting"));
+}
+if ((conveyor.stop_time != null)) {
+$m.append(cases, new ConveyorCase("stop", undefined, undefined, "braking"));
+}
+return [...$iter(cases), ...$iter(conveyor.cases)];
 }
 function check__keeps(value, limit, at_most = true) {
 
@@ -4853,7 +6200,7 @@ if (!$truth(criteria.standard.name)) {
 yield rule__not_checked($bound(rule, "name"), title, noun, $bound(of, "place"), undefined, found.why_not);
 return null;
 }
-yield new Check(rule.name, title, rule.missed, of.place, undefined, undefined, noun, undefined, undefined, undefined, undefined, undefined, check__escaped(("" + $str(found.name) + " does not apply: " + $str(found.why_not))), "Set design_standard.friction.", undefined, "standard not applicable", undefined, undefined, undefined, undefined, rule.binding);
+yield new Check(rule.name, title, rule.missed, of.place, undefined, undefined, noun, undefined, undefined, undefined, undefined, undefined, check__escaped(("" + $str(found.name) + " does not apply: " + $str(found.why_not))), check__escaped($bound(found, "remedy")), undefined, "standard not applicable", undefined, undefined, undefined, undefined, rule.binding);
 return null;
 }
 (assumed = (($truth(criteria.standard.name) || (criteria.standard.friction != null)) ? "" : " No standard was chosen: CEMA assumed."));
@@ -4878,7 +6225,7 @@ yield rule__not_checked($bound(rule, "name"), title, noun, $bound(of, "place"), 
 return null;
 }
 (found = of.result.covered_creep);
-(text = new CheckText(title, noun, ($truth($math.isfinite(found)) ? "Creep {value} with belt cover exceeds the {limit} limit" : "Gross slip with belt cover in series"), undefined, "Give the test belt cover ([test_belt]).", ("" + $str("Unknown whether the tested slip includes the shear of the belt cover") + "."), "creep with cover", "shear of the cover of the belt"));
+(text = new CheckText(title, noun, ($truth($math.isfinite(found)) ? "Creep {value} with belt cover shear exceeds the {limit} limit" : "Gross slip with belt cover in series"), undefined, "State the cover of the tested belt ([test_belt]).", ("" + $str("Unknown whether the tested slip includes the shear of the belt cover") + "."), "creep with cover", "shear of the cover of the belt"));
 yield rule.compare($b.abs(found), $bound(of.state, "creep_limit"), $bound(of, "place"), text);
 }
 function* in_page_checks__creep_interval(of) {
@@ -4912,7 +6259,7 @@ return null;
 (creep = in_page_checks__wet($bound(of, "result"), factor));
 (exceeds = "Wet creep {value} (estimated) exceeds the {limit} limit");
 (source = $at(new Condition("wet").factor_of(lagging), 1));
-(text = new CheckText("Wet creep", "wet creep (estimated)", ($truth($math.isinf(creep)) ? "Gross slip when wet (estimated)" : exceeds), undefined, ("" + "Test " + $str(check__escaped($bound(lagging, "name"))) + " wet."), ("" + "Wet friction " + $format(factor, ("" + ".3g")) + " of dry (" + $str(check__escaped($b.str(source))) + "). A drive that never runs wet has covered = true."), "wet creep", ("" + "creep limit; wet friction " + $format(factor, ("" + ".3g")) + " of dry, " + $str(source))));
+(text = new CheckText("Wet creep", "wet creep (estimated)", ($truth($math.isinf(creep)) ? "Gross slip when wet (estimated)" : exceeds), undefined, ("" + "Test lagging " + $str(check__escaped($bound(lagging, "name"))) + " wet."), ("" + "Wet friction " + $format(factor, ("" + ".3g")) + " of dry (" + $str(check__escaped($b.str(source))) + "). A drive that never runs wet has covered = true."), "wet creep", ("" + "creep limit; wet friction " + $format(factor, ("" + ".3g")) + " of dry, " + $str(source))));
 yield $c2e75.compare(creep, limit, $bound(of, "place"), text);
 }
 function in_page_checks__wet(result, _factor) {
@@ -4978,7 +6325,7 @@ yield of_data___untested(of, "worn", "worn", "unworn friction used", "");
 function of_data___untested(of, state, part, used, full) {
 let lagging;
 (lagging = of.pulley.lagging);
-return new Check("condition", ("" + "Friction, " + $str(state)), "ATTENTION", of.place, undefined, undefined, ("" + "friction, " + $str(state)), undefined, undefined, undefined, undefined, undefined, check__escaped(("" + $str(lagging.name) + " not tested " + $str(state) + ": " + $str(used))), ("" + "Test the lagging " + $str(check__escaped(state)) + "."), check__escaped(full), ("" + "not tested " + $str(state)), rule__origin($at(lagging.sources, part)), undefined, undefined, undefined, false);
+return new Check("condition", ("" + "Friction, " + $str(state)), "ATTENTION", of.place, undefined, undefined, ("" + "friction, " + $str(state)), undefined, undefined, undefined, undefined, undefined, check__escaped(("" + $str(lagging.name) + " not tested " + $str(state) + ": " + $str(used))), ("" + "Test lagging " + $str(check__escaped($bound(lagging, "name"))) + " " + $str(check__escaped(state)) + "."), check__escaped(full), ("" + "not tested " + $str(state)), rule__origin($at(lagging.sources, part)), undefined, undefined, undefined, false);
 }
 function* of_data___fit(of) {
 let first, lagging, more, others;
@@ -5031,12 +6378,6 @@ return ((of.drive.criteria.sag == null) ? null : of.drive.criteria.sag.tension);
 function of_drive___least_diameter(of) {
 return of.drive.belt.least_pulley_diameter;
 }
-function kinds__table_labels(rows) {
-let names;
-
-(names = [...(function* () { for (const row of $iter(rows)) { yield ($truth($b.isinstance(row, "dict")) ? $m.get(row, "name") : null); } })()]);
-return [...(function* () { for (const [position, name] of $iter($b.enumerate(names, $k({start: 1})))) { yield (($truth($b.isinstance(name, "str")) && $truth($m.strip(name)) && ($eq($m.count(names, name), 1))) ? name : position); } })()];
-}
 function quantity_text__quantity_text(value, dimension) {
 let digits, exact, factor, number, plain, text, unit;
 
@@ -5070,7 +6411,7 @@ if ((self.line != null)) {
 return $m.join(" ", (function* () { for (const part of $iter([errors___stopped(sentence), errors___stopped($bound(self, "remedy"))])) { if (!($truth(part))) continue; yield part; } })());
 }
 }
-$sig(Problem, ["message", "remedy", "file", "key", "value", "line", "code"], false, {remedy: () => "", file: () => "", key: () => "", value: () => "", line: () => null, code: () => ""});
+$sig(Problem, ["message", "remedy", "file", "key", "value", "line", "code", "meant"], false, {remedy: () => "", file: () => "", key: () => "", value: () => "", line: () => null, code: () => "", meant: () => ""});
 class WraparcError extends $Error {
 }
 class InputError extends WraparcError {
@@ -5100,19 +6441,20 @@ get full() {
 const self = this; 
 return ($b.len($bound(self, "problems")) >= 50);
 }
-add(place, message, remedy = "", value = $c2f8b, code = "") {
-const self = this; let given, key;
+add(place, message, remedy = "", value = $ca9ba, code = "", meant = "") {
+const self = this; let given, key, problem;
 
 if ($truth(self.full)) {
 (self._left_out = $add(self._left_out, 1));
 return null;
 }
-(given = ((value === $c2f8b) ? "" : $shown(value)));
+(given = ((value === $ca9ba) ? "" : $shown(value)));
 (code = (($eq(message, "missing")) ? "missing" : code));
 (key = problems__place_text(place));
-self._append(new Problem(message, remedy, undefined, key, given, undefined, code));
+(problem = new Problem(message, remedy, undefined, key, given));
+self._append($replaced(problem, new Map([["code", code], ["meant", meant]])));
 }
-take(error, place, raw = $c2f8b, names = null) {
+take(error, place, raw = $ca9ba, names = null) {
 const self = this; let below, given, key, problem, value;
 
 for (problem of $iter(error.problems)) {
@@ -5122,7 +6464,7 @@ continue;
 }
 (below = problems___renamed($bound(problem, "key"), $or(names, () => $map([]))));
 (given = problems__value_at(raw, below));
-(value = ((given === $c2f8b) ? problem.value : $shown(given)));
+(value = ((given === $ca9ba) ? problem.value : $shown(given)));
 if ($truth($b.isinstance(given, "list", "dict"))) {
 (value = problem.value);
 }
@@ -5130,7 +6472,7 @@ if ($truth($b.isinstance(given, "list", "dict"))) {
 self._append($replaced(problem, new Map([["key", key], ["value", value], ["file", self.file]])));
 }
 }
-tried(make, place, raw = $c2f8b, names = null) {
+tried(make, place, raw = $ca9ba, names = null) {
 const self = this; let error;
 
 try {
@@ -5204,6 +6546,32 @@ return ((self.kind === "given") ? "input" : $b.str($bound(self, "kind")));
 }
 }
 $sig(Provenance, ["kind", "source", "date", "note"], false, {kind: () => "given", source: () => "", date: () => "", note: () => ""});
+class _UnitTextError extends $Error {
+$init(message, remedy = "", name = "", meant = []) {
+const self = this; super.$init(message);
+([self.remedy, self.name, self.meant] = [remedy, name, meant]);
+}
+}
+class Unit extends $Tuple {
+}
+$sig(Unit, ["factor", "powers", "zero"], false, {zero: () => $ce5b4});
+class BeltName extends $Tuple {
+get is_steel() {
+const self = this; 
+return ($eq(self.carcass, "ST"));
+}
+get standard() {
+const self = this; 
+if ($truth(self.is_steel)) {
+return "ISO 15236, DIN 22131";
+}
+return (($eq(self.carcass, "PIW")) ? "rated tension in PIW" : "ISO 14890, DIN 22102");
+}
+}
+$sig(BeltName, ["carcass", "strength", "rating", "plies", "carry_cover", "pulley_cover", "grade"], false, {});
+class CatalogueBelt extends $Object {
+}
+$sig(CatalogueBelt, ["name", "kind", "rating", "modulus", "modulus_ends", "strength", "least_pulley_diameter", "pulley_cover", "carry_cover", "carcass", "cord_pitch", "carcass_mass", "cover_mass", "modulus_test", "modulus_loads", "permanent_elongation", "provenance", "sources"], false, {modulus_ends: () => null, strength: () => null, least_pulley_diameter: () => null, pulley_cover: () => null, carry_cover: () => null, carcass: () => null, cord_pitch: () => null, carcass_mass: () => null, cover_mass: () => null, modulus_test: () => "", modulus_loads: () => null, permanent_elongation: () => null, sources: () => new Map()});
 class Laggings extends $Object {
 $init(own, folder, allow_paths, report) {
 const self = this; (self._report = report);
@@ -5385,15 +6753,6 @@ return $mul((self.diameter / 2.0), (($eq(self.turn, "counterclockwise")) ? 1.0 :
 }
 }
 $sig(Point, ["x", "y", "diameter", "turn"], false, {diameter: () => 0.0, turn: () => "clockwise"});
-class _UnitTextError extends $Error {
-$init(message, remedy = "", name = "", meant = []) {
-const self = this; super.$init(message);
-([self.remedy, self.name, self.meant] = [remedy, name, meant]);
-}
-}
-class Unit extends $Tuple {
-}
-$sig(Unit, ["factor", "powers", "zero"], false, {zero: () => $ce5b4});
 class UnitRow extends $Tuple {
 }
 $sig(UnitRow, ["unit", "factor", "larger"], false, {});
@@ -5486,12 +6845,21 @@ return (self.entry / self.exit);
 $sig(Tensions, ["entry", "exit", "computed"], false, {computed: () => new Map()});
 class LoadCase extends $Object {
 __post_init__() {
-const self = this; let problems;
+const self = this; let of, problems;
 (problems = criteria__choice_problems(self, $map([["kind", $c93f5]])));
+for (of of $iter($m.values(self.uncertainty))) {
+(problems = $add(problems, uncertain__uncertainty_problems(of, $c26fe)));
+}
 limits__raise_all($add(limits__name_problems("name", $bound(self, "name")), problems));
 }
 }
-$sig(LoadCase, ["name", "tensions", "kind", "condition", "description"], false, {kind: () => "running", condition: () => "", description: () => ""});
+$sig(LoadCase, ["name", "tensions", "kind", "condition", "description", "uncertainty"], false, {kind: () => "running", condition: () => "", description: () => "", uncertainty: () => new Map()});
+class DrivePlace extends $Object {
+__post_init__() {
+const self = this; limits__raise_all($add(limits__limit_problems(self, $bound(self, "LIMITS")), flight__place_problems($bound(self, "at"), $bound(self, "position"))));
+}
+}
+$sig(DrivePlace, ["pulley", "at", "position", "brake_share", "share"], false, {at: () => "head", position: () => null, brake_share: () => null, share: () => 1.0});
 class Viewable extends $Object {
 
 
@@ -5596,6 +6964,13 @@ return $at(case_.tensions, take_up.after).exit;
 ([entry, leaving] = self._ends(case_));
 (steady = self._steady_end);
 return (($eq(steady, "")) ? self.slack_end(case_) : (($eq(steady, "exit")) ? leaving : entry));
+}
+get states_uncertainty() {
+const self = this; let of_cases, of_pulleys;
+
+(of_pulleys = $b.any((function* () { for (const p of $iter(self.pulleys)) { yield $or(p.uncertainty, () => p.lagging.uncertainty); } })()));
+(of_cases = $b.any((function* () { for (const case_ of $iter(self.load_cases)) { for (const of of $iter($m.values(case_.uncertainty))) { yield of; }} })()));
+return $or($b.bool($bound(self.belt, "uncertainty")), () => $or(of_pulleys, () => of_cases));
 }
 get take_up_place() {
 const self = this; let after, away, ends, held, steady, take_up;
@@ -5717,7 +7092,7 @@ const self = this;
 return ((pulley.creep_limit == null) ? self.creep_limit : pulley.creep_limit);
 }
 }
-$sig(Train, ["title", "description", "belt", "pulleys", "cases", "nominal_diameters", "creep_limit", "criteria", "read_from"], false, {title: () => "", description: () => "", nominal_diameters: () => [], creep_limit: () => 0.00635, criteria: () => new Criteria(), read_from: () => null});
+$sig(Train, ["title", "description", "belt", "pulleys", "cases", "nominal_diameters", "creep_limit", "criteria", "read_from", "conveyor"], false, {title: () => "", description: () => "", nominal_diameters: () => [], creep_limit: () => 0.00635, criteria: () => new Criteria(), read_from: () => null, conveyor: () => null});
 class Reader extends $Object {
 $init(record, belt, pulleys, report, take_up) {
 const self = this; ([self.belt, self.pulleys, self._report, self._take_up] = [belt, pulleys, report, take_up]);
@@ -5784,7 +7159,7 @@ self._report.add([...$iter(place), "share"], message, "Leave one of them out.");
 return null;
 }
 try {
-return new TrainCase(name, tensions.entry, tensions.exit, division, ($truth($b.any(runs)) ? runs : []));
+return new TrainCase(name, tensions.entry, tensions.exit, division, ($truth($b.any(runs)) ? runs : []), undefined, undefined, undefined, $merged(self._uncertainty(train), self._uncertainty(over)));
 } catch ($error) {
 if ($error instanceof InputError) {
 error = $error;
@@ -5792,6 +7167,13 @@ self._report.take(error, place);
 return null;
 } else throw $error;
 }
+}
+_uncertainty(record) {
+const self = this; return ((record == null) ? $map([]) : uncertain__read_uncertainty(record, $c26fe, $bound(self, "_report")));
+}
+division() {
+const self = this; 
+return self._division($bound(self, "_train"), null);
 }
 _given(train, over) {
 const self = this; let fixed, given, runs;
@@ -5897,7 +7279,7 @@ _powers(record) {
 const self = this; let values;
 
 (values = $m.get(record, "share"));
-if ((!$truth(values) || ($in($c2f8b, values)) || (!$eq($at($at(values, 0), 0), "power")) || !$truth(self.belt.speed))) {
+if ((!$truth(values) || ($in($ca9ba, values)) || (!$eq($at($at(values, 0), 0), "power")) || !$truth(self.belt.speed))) {
 return null;
 }
 return ($math.fsum((function* () { for (const [_, value] of $iter(values)) { yield value; } })()) / self.belt.speed);
@@ -5950,13 +7332,29 @@ const self = this; let motor;
 return motor;
 }
 }
-class CatalogueBelt extends $Object {
-get sources() {
+class Shares extends $Object {
+}
+$sig(Shares, ["fractions"], false, {});
+class TrainCase extends $Object {
+__post_init__() {
+const self = this; let problems;
+(problems = $add(limits__name_problems("name", $bound(self, "name")), limits__limit_problems(self, $bound(self, "LIMITS"))));
+limits__raise_all($add(problems, uncertain__uncertainty_problems($bound(self, "uncertainty"), $c26fe)));
+}
+get effective_tension() {
 const self = this; 
-return ($truth(self.carcass_source) ? $map([["carcass", self.carcass_source]]) : $map([]));
+return $add($sub(self.entry_tension, self.exit_tension), $b.sum($bound(self, "runs")));
+}
+get pulls_given() {
+const self = this; 
+return $b.isinstance(self.division, Shares, Pulls);
+}
+run(index) {
+const self = this; 
+return ((index < $b.len($bound(self, "runs"))) ? $at(self.runs, index) : 0.0);
 }
 }
-$sig(CatalogueBelt, ["name", "kind", "rating", "modulus", "least_pulley_diameter", "carcass", "carcass_mass", "cover_mass", "provenance", "carcass_source"], false, {least_pulley_diameter: () => null, carcass: () => null, carcass_mass: () => null, cover_mass: () => null, carcass_source: () => null});
+$sig(TrainCase, ["name", "entry_tension", "exit_tension", "division", "runs", "kind", "condition", "description", "uncertainty"], false, {runs: () => [], kind: () => "running", condition: () => "", description: () => "", uncertainty: () => new Map()});
 class WrapArc extends $Object {
 __post_init__() {
 const self = this; let ends, key, least, message, most, problems, unit, value;
@@ -6149,7 +7547,7 @@ return $math.copysign(Infinity, $bound(arc, "side"));
 return $at(found.met.course.creep, $neg(1));
 }
 }
-$sig(ArcResult, ["status", "method", "arc", "profile", "entry_tension", "exit_tension", "exit_creep", "creep_shrinkage", "creep_compression", "creep_global", "exit_slip", "entry_creep_ratio", "exit_creep_ratio", "peak_shear_stress", "peak_shear_angle", "peak_shear_position", "mean_friction", "active_arc", "outside_tested_share", "stuck_arc", "capacities", "energy"], false, {});
+$sig(ArcResult, ["status", "method", "arc", "profile", "entry_tension", "exit_tension", "exit_creep", "creep_shrinkage", "creep_compression", "creep_global", "exit_slip", "entry_creep_ratio", "exit_creep_ratio", "peak_shear_stress", "peak_shear_angle", "peak_shear_position", "mean_friction", "active_arc", "outside_tested_share", "stuck_arc", "capacities", "energy", "steepest_slip"], false, {steepest_slip: () => NaN});
 class FoundArc extends ArcResult {
 get creep_interval() {
 const self = this; 
@@ -6160,7 +7558,7 @@ const self = this;
 return self.found.covered_creep;
 }
 }
-$sig(FoundArc, ["status", "method", "arc", "profile", "entry_tension", "exit_tension", "exit_creep", "creep_shrinkage", "creep_compression", "creep_global", "exit_slip", "entry_creep_ratio", "exit_creep_ratio", "peak_shear_stress", "peak_shear_angle", "peak_shear_position", "mean_friction", "active_arc", "outside_tested_share", "stuck_arc", "capacities", "energy", "found"], false, {});
+$sig(FoundArc, ["status", "method", "arc", "profile", "entry_tension", "exit_tension", "exit_creep", "creep_shrinkage", "creep_compression", "creep_global", "exit_slip", "entry_creep_ratio", "exit_creep_ratio", "peak_shear_stress", "peak_shear_angle", "peak_shear_position", "mean_friction", "active_arc", "outside_tested_share", "stuck_arc", "capacities", "energy", "steepest_slip", "found"], false, {steepest_slip: () => NaN});
 class DriveResult extends Viewable {
 __iter__() {
 const self = this; return $b.iter($bound(self, "arcs"));
@@ -6204,6 +7602,7 @@ return $b.all((function* () { for (const r of $iter(self.arcs)) { yield r.within
 }
 $sig(DriveResult, ["drive", "arcs"], false, {});
 class TrainResult extends Viewable {
+get _pulley_by_pulley() { return $kept(this, "_pulley_by_pulley", this.$find__pulley_by_pulley()); }
 __iter__() {
 const self = this; return $b.iter($bound(self, "cases"));
 }
@@ -6228,9 +7627,12 @@ $sig(severity, ["case"], false);
 return alike__largest((function* () { for (const c of $iter(self.cases)) { if (!(($truth(solved) || !$truth($told($cc303, c.status, "solved"))))) continue; yield c; } })(), severity);
 }
 drive_result() {
+const self = this; 
+return self._pulley_by_pulley;
+}
+$find__pulley_by_pulley() {
 const self = this; let arcs, cases;
-
-(cases = [...(function* () { for (const result of $iter(self.cases)) { yield new LoadCase(result.case.name, $map([...(function* () { for (const m of $iter(result.members)) { yield [m.name, new Tensions(m.arc.entry_tension, m.arc.exit_tension)]; } })()]), result.case.kind, result.case.condition, result.case.description); } })()]);
+(cases = [...(function* () { for (const result of $iter(self.cases)) { yield new LoadCase(result.case.name, $map([...(function* () { for (const m of $iter(result.members)) { yield [m.name, new Tensions(m.arc.entry_tension, m.arc.exit_tension)]; } })()]), result.case.kind, result.case.condition, result.case.description, ($truth(result.case.uncertainty) ? $map([["", result.case.uncertainty]]) : $map([]))); } })()]);
 (arcs = $b.tuple((function* () { for (const case_ of $iter(self.cases)) { for (const m of $iter(case_.members)) { yield m.arc; }} })()));
 return new DriveResult(result__drive_with($bound(self, "train"), cases), arcs);
 }
@@ -6448,21 +7850,18 @@ $sig(Check, ["name", "title", "level", "place", "is_placed", "quantity", "noun",
 class Pulls extends $Object {
 }
 $sig(Pulls, ["effective_tensions"], false, {});
-class Shares extends $Object {
-}
-$sig(Shares, ["fractions"], false, {});
 class Amount extends $Tuple {
 }
 $sig(Amount, ["value", "dimension", "form"], false, {form: () => ""});
 class CheckText extends $Object {
 }
 $sig(CheckText, ["title", "noun", "headline", "fails", "action", "full", "label", "source", "more", "missing", "why", "show_value"], false, {noun: () => "", headline: () => "", fails: () => "", action: () => "", full: () => "", label: () => "", source: () => "", more: () => new Map(), missing: () => "", why: () => "", show_value: () => false});
-class Speeds extends $Object {
-}
-$sig(Speeds, ["rotation_speeds", "absolute"], false, {absolute: () => false});
 class Owner extends $Tuple {
 }
 $sig(Owner, ["of", "kinds", "words", "place", "more"], false, {place: () => $cb829, more: () => []});
+class Speeds extends $Object {
+}
+$sig(Speeds, ["rotation_speeds", "absolute"], false, {absolute: () => false});
 class Sliding extends $Tuple {
 }
 $sig(Sliding, ["place", "cause"], false, {});
@@ -6509,6 +7908,16 @@ const self = this; let judged;
 (judged = [...(function* () { for (const c of $iter(self.checks)) { if (!((c.level !== "NOT CHECKED"))) continue; yield c; } })()]);
 return $b.min(judged, $k({key: verdict___order, default: null}));
 }
+get kind_in_doubt() {
+const self = this; let here, worst;
+
+(worst = self.governing);
+if (((worst == null) || !$truth(worst.missed) || (!$in(worst.name, $cda4c)))) {
+return null;
+}
+(here = (function* () { for (const c of $iter(self.missed)) { if (!((($eq(c.name, "case_kind")) && (!$eq(c.place.load_case, ""))))) continue; yield c; } })());
+return $b.next((function* () { for (const c of $iter(here)) { if (!(($eq(c.place.load_case, worst.place.load_case)))) continue; yield c; } })(), null);
+}
 get level() {
 const self = this; 
 return ((self.governing == null) ? "OK" : self.governing.level);
@@ -6530,17 +7939,13 @@ const self = this; let worst;
 if ((worst == null)) {
 return "Nothing checked.";
 }
-return ($truth(worst.missed) ? worst.text : self._passing(worst));
+return ($truth(worst.missed) ? worst.text : self._passing());
 }
-_passing(closest) {
-const self = this; let count, text, what;
+_passing() {
+const self = this; let count, text;
 (count = self.passed);
 (text = ((!$eq(count, 1)) ? ("" + "All " + $str(count) + " checks pass.") : "1 check passes."));
-if (!$truth($math.isfinite($bound(closest, "used")))) {
-return text;
-}
-(what = ("" + $str($or(closest.noun, () => closest.title)) + " " + $str(closest.measured)));
-return ("" + $str(text) + " Closest: " + $str(what) + $str(closest.place.bracket) + ".");
+return ($truth(self.closest) ? ("" + $str(text) + " Closest: " + $str(self.closest) + ".") : text);
 }
 get also() {
 const self = this; 
@@ -6569,8 +7974,10 @@ $put(worst, check.name, $b.min(current, check, $k({key: verdict___order})));
 return $b.tuple($m.values(worst));
 }
 $find_missed() {
-const self = this; 
-return $b.tuple($b.sorted((function* () { for (const c of $iter(self.listed)) { if (!($truth(c.missed))) continue; yield c; } })(), $k({key: verdict___order})));
+const self = this; let missed, worst;
+
+([missed, worst] = [(function* () { for (const c of $iter(self.listed)) { if (!($truth(c.missed))) continue; yield c; } })(), self.governing]);
+return $b.tuple($b.sorted(missed, $k({key: ((check) => [(check !== worst), ...$iter(verdict___order(check))])})));
 }
 get passed() {
 const self = this; 
@@ -6638,6 +8045,15 @@ $m.append($m.setdefault(found, $bound(check.place, "load_case"), []), number);
 }
 return found;
 }
+get closest() {
+const self = this; let worst;
+
+(worst = self.governing);
+if (((worst == null) || !$truth($math.isfinite($bound(worst, "used"))))) {
+return "";
+}
+return ("" + $str($or(worst.noun, () => worst.title)) + " " + $str(worst.measured) + $str(worst.place.bracket));
+}
 }
 $sig(Verdict, ["checks"], false, {});
 class Figure extends $Object {
@@ -6645,7 +8061,7 @@ class Figure extends $Object {
 $sig(Figure, ["name", "title", "tension", "place", "binding", "at_least"], false, {binding: () => true, at_least: () => true});
 class StandardRequirement extends $Object {
 }
-$sig(StandardRequirement, ["name", "how", "wrap_factor", "source", "why_not"], false, {why_not: () => ""});
+$sig(StandardRequirement, ["name", "how", "wrap_factor", "source", "why_not", "remedy"], false, {why_not: () => "", remedy: () => "Set design_standard.friction."});
 class LeastTension extends $Object {
 get required() { return $kept(this, "required", this.$find_required()); }
 get governing() { return $kept(this, "governing", this.$find_governing()); }
@@ -7023,6 +8439,10 @@ if (($truth(self.surface) && (!$in(self.surface, $c504b)))) {
 (message = ("" + "must be one of " + $str($m.join(", ", $c504b))));
 $m.append(problems, new Problem(message, undefined, undefined, "surface", $shown($bound(self, "surface"))));
 }
+(problems = $add(problems, uncertain__uncertainty_problems($bound(self, "uncertainty"), $c5832)));
+if ((self.fit != null)) {
+(problems = $add(problems, [...(function* () { for (const key of $iter(["friction", "slip"])) { if (!(($in(key, self.uncertainty)))) continue; yield new Problem("contradicts the fit of the law, which has an interval", "Remove one of them.", undefined, ("" + "uncertainty." + $str(key))); } })()]));
+}
 limits__raise_all(problems);
 }
 get contact_fraction() {
@@ -7043,7 +8463,7 @@ const self = this;
 return $m.get(self.sources, part, $bound(self, "provenance"));
 }
 }
-$sig(Lagging, ["name", "law", "thickness", "shear_modulus", "compression_modulus", "title", "condition", "surface", "elastic_modulus", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "cost", "fit", "factors", "condition_factors", "block", "replaced_block", "provenance", "sources", "scaled_by", "notes", "description"], false, {thickness: () => 0.0, shear_modulus: () => Infinity, compression_modulus: () => Infinity, title: () => "", condition: () => "dry", surface: () => "", elastic_modulus: () => null, wear_coefficient: () => null, belt_energy_share: () => null, bond_strength: () => null, fatigue_limit: () => null, cost: () => null, fit: () => null, factors: () => null, condition_factors: () => new Map(), block: () => null, replaced_block: () => null, provenance: () => new Provenance(), sources: () => new Map(), scaled_by: () => null, notes: () => [], description: () => ""});
+$sig(Lagging, ["name", "law", "thickness", "shear_modulus", "compression_modulus", "title", "condition", "surface", "elastic_modulus", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "cost", "fit", "factors", "condition_factors", "block", "replaced_block", "uncertainty", "provenance", "sources", "scaled_by", "notes", "description"], false, {thickness: () => 0.0, shear_modulus: () => Infinity, compression_modulus: () => Infinity, title: () => "", condition: () => "dry", surface: () => "", elastic_modulus: () => null, wear_coefficient: () => null, belt_energy_share: () => null, bond_strength: () => null, fatigue_limit: () => null, cost: () => null, fit: () => null, factors: () => null, condition_factors: () => new Map(), block: () => null, replaced_block: () => null, uncertainty: () => new Map(), provenance: () => new Provenance(), sources: () => new Map(), scaled_by: () => null, notes: () => [], description: () => ""});
 class LoadGiven extends $Tuple {
 }
 $sig(LoadGiven, ["entry_tension", "exit_tension", "effective_tension", "torque", "power"], false, {entry_tension: () => null, exit_tension: () => null, effective_tension: () => null, torque: () => null, power: () => null});
@@ -7059,24 +8479,6 @@ const self = this; limits__raise_all(limits__limit_problems(self, $bound(self, "
 }
 }
 $sig(TorqueFollower, ["master", "ratio"], false, {ratio: () => 1.0});
-class TrainCase extends $Object {
-__post_init__() {
-const self = this; limits__raise_all($add(limits__name_problems("name", $bound(self, "name")), limits__limit_problems(self, $bound(self, "LIMITS"))));
-}
-get effective_tension() {
-const self = this; 
-return $add($sub(self.entry_tension, self.exit_tension), $b.sum($bound(self, "runs")));
-}
-get pulls_given() {
-const self = this; 
-return $b.isinstance(self.division, Shares, Pulls);
-}
-run(index) {
-const self = this; 
-return ((index < $b.len($bound(self, "runs"))) ? $at(self.runs, index) : 0.0);
-}
-}
-$sig(TrainCase, ["name", "entry_tension", "exit_tension", "division", "runs", "kind", "condition", "description"], false, {runs: () => [], kind: () => "running", condition: () => "", description: () => ""});
 class RunsGain extends $Tuple {
 }
 $sig(RunsGain, ["base", "case"], false, {base: () => 0.0, case: () => 0.0});
@@ -7181,23 +8583,21 @@ const self = this; const {of: of = null, on_one_line: on_one_line = false, mispl
 (self._known = $map([...(function* () { for (const entry of $iter(self.entries)) { yield [entry.key, entry]; } })()]));
 }
 read(raw, place, report) {
-const self = this; let entry, given, key, known, misspelt, record, remedy, unknown, value;
+const self = this; let entry, given, key, known, misspelt, record, unknown, value;
 
 if (!$truth($b.isinstance(raw, "dict"))) {
 report.add(place, "must be a table", "Write its keys below its name in [ ].", raw);
-return $c2f8b;
+return $ca9ba;
 }
 (given = self._renamed(raw, place, report));
 (known = self._known);
 (record = new Record($map([]), place, given));
 (unknown = [...(function* () { for (const key of $iter(given)) { if (!((!$in(key, known)))) continue; yield key; } })()]);
 if ((self.misplaced != null)) {
-(unknown = self._without_misplaced(unknown, place, report));
+(unknown = self._without_misplaced(unknown, record, report));
 }
 for (key of $iter(unknown)) {
-(remedy = ($truth(report.full) ? "" : tables__unknown_key_remedy(key, known)));
-report.add([...$iter(place), key], "unknown key", remedy);
-$m.update(record.faulty, errors__near(key, [...(function* () { for (const k of $iter(known)) { if (!((!$in(k, given)))) continue; yield k; } })()], 1));
+$m.update(record.faulty, self._report_unknown(key, given, place, report));
 }
 (misspelt = $b.set($bound(record, "faulty")));
 for ([key, entry] of $iter($m.items(known))) {
@@ -7206,7 +8606,7 @@ if (($in(key, given))) {
 if (!$truth(tables___sound(value))) {
 record.faulty.add(key);
 }
-if ((value !== $c2f8b)) {
+if ((value !== $ca9ba)) {
 $put(record, key, value);
 }
 } else {
@@ -7231,13 +8631,29 @@ return null;
 (names = $map([...(function* () { for (const e of $iter(self.entries)) { yield [e.attribute, e.key]; } })()]));
 return report.tried((() => $call(made, [], [...$map([...values, ...more])])), $bound(record, "place"), $bound(record, "raw"), names);
 }
-_without_misplaced(unknown, place, report) {
-const self = this; let of, there;
+_report_unknown(key, given, place, report) {
+const self = this; let close, meant, remedy;
+
+if ($truth(report.full)) {
+report.add([...$iter(place), key], "unknown key");
+return [];
+}
+(close = errors__near(key, [...(function* () { for (const k of $iter(self._known)) { if (!((!$in(k, given)))) continue; yield k; } })()], 1));
+([remedy, meant] = [tables__unknown_key_remedy(key, $bound(self, "_known")), ($truth(close) ? $at(close, 0) : "")]);
+$method(report, "add", [[...$iter(place), key], "unknown key", remedy], [["code", "unknown_key"], ["meant", meant]]);
+return close;
+}
+_without_misplaced(unknown, record, report) {
+const self = this; let of, remedy, there;
 
 (of = self.misplaced);
 (there = ((of == null) ? [] : [...(function* () { for (const key of $iter(unknown)) { if (!(($in(key, of.keys)))) continue; yield key; } })()]));
 if (((of != null) && $truth(there))) {
-report.add([...$iter(place), $at(there, 0)], $bound(of, "message"), $m.replace(of.remedy, "{key}", $at(there, 0)));
+record.faulty.add($bound(of, "owner"));
+if ($truth($b.all((function* () { for (const problem of $iter(report.problems)) { yield (!$eq(problem.message, of.message)); } })()))) {
+(remedy = $m.replace(of.remedy, "{key}", $at(there, 0)));
+report.add([...$iter(record.place), $at(there, 0)], $bound(of, "message"), remedy);
+}
 }
 return [...(function* () { for (const key of $iter(unknown)) { if (!((!$in(key, there)))) continue; yield key; } })()];
 }
@@ -7275,9 +8691,9 @@ read(raw, place, report) {
 const self = this; let value;
 
 (value = new Text($bound(self, "longest")).read(raw, place, report));
-if (((value !== $c2f8b) && !$truth($m.strip(value)))) {
+if (((value !== $ca9ba) && !$truth($m.strip(value)))) {
 report.add(place, "must not be empty", "Write a name.", raw);
-return $c2f8b;
+return $ca9ba;
 }
 return value;
 }
@@ -7299,7 +8715,7 @@ return raw;
 }
 }
 }
-return $c2f8b;
+return $ca9ba;
 }
 }
 $sig(Text, ["longest", "lines"], false, {longest: () => 200, lines: () => false});
@@ -7312,13 +8728,13 @@ try {
 } catch ($error) {
 if ($error instanceof InputError) {
 report.tried((() => parse__parse_quantity(raw, $bound(self, "dimension"), self.example())), place, raw);
-return $c2f8b;
+return $ca9ba;
 } else throw $error;
 }
 (refusal = ($truth(self.limit) ? self.limit.refusal(value) : ""));
 if ($truth(refusal)) {
 $method(report, "add", [place, refusal], [["value", raw]]);
-return $c2f8b;
+return $ca9ba;
 }
 return value;
 }
@@ -7380,25 +8796,126 @@ return (($eq(raw, self.word)) ? self.meaning : self.kind.read(raw, place, report
 }
 }
 $sig(WordOr, ["word", "kind", "meaning"], false, {meaning: () => null});
+class Elongation extends Kind {
+read(raw, place, report) {
+const self = this; let found, message, of, remedy;
+
+(found = ($truth($b.isinstance(raw, "str")) ? $m.fullmatch($c8c06, $m.replace($m.strip(raw), ",", ".")) : null));
+(remedy = "Write for example \"1.5 % at 10 %\".");
+if ((found == null)) {
+report.add(place, "must be an elongation at a share of the strength", remedy, raw);
+return $ca9ba;
+}
+try {
+(of = new ElongationAt(...$iter((function* () { for (const n of $iter([1, 2])) { yield parse__parse_quantity(("" + $str($at(found, n)) + " %"), "number"); } })())));
+} catch ($error) {
+if ($error instanceof InputError) {
+report.add(place, "must be an elongation at a share of the strength", remedy, raw);
+return $ca9ba;
+} else throw $error;
+}
+if (!((0.0 < of.strain && of.strain <= 0.2) && (0.0 < of.share && of.share <= 1.0))) {
+(message = ("" + "must be above 0 %, at most " + $format($mul(100.0, 0.2), ("" + "g")) + " % at 100 %"));
+report.add(place, message, remedy, raw);
+return $ca9ba;
+}
+return of;
+}
+}
+$sig(Elongation, [], false, {});
+class Choice extends Kind {
+read(raw, place, report) {
+const self = this; let message, remedy;
+
+if (($truth($b.isinstance(raw, "str")) && ($in(raw, self.options)))) {
+return raw;
+}
+if (($truth($b.isinstance(raw, "str")) && ($in(raw, self.others)))) {
+return $at(self.others, raw);
+}
+(message = ("" + "must be one of " + $str(errors__format_names($bound(self, "options")))));
+(remedy = ($truth(report.full) ? "" : errors__nearest(raw, $bound(self, "options"), 1)));
+report.add(place, message, remedy, raw);
+return $ca9ba;
+}
+}
+$sig(Choice, ["options", "others"], false, {others: () => new Map()});
+class Rows extends Kind {
+read(raw, place, report) {
+const self = this; let count, labels, name;
+
+if (($truth($b.isinstance(raw, "dict")) && $truth(place))) {
+(name = problems__place_text(place));
+report.add(place, "must be an array of tables", ("" + "Write [[" + $str(name) + "]] for [" + $str(name) + "]."));
+return $ca9ba;
+}
+if (!$truth($b.isinstance(raw, "list"))) {
+report.add(place, "must be an array", "Put it in [ ], as the examples show.", raw);
+return $ca9ba;
+}
+if (!(self.least <= $b.len(raw) && $b.len(raw) <= self.most)) {
+(count = ($truth(self.least) ? ("" + $str(self.least) + " to " + $str(self.most)) : ("" + "at most " + $str(self.most))));
+$method(report, "add", [place, ("" + "must have " + $str(count) + " entries")], [["value", $b.len(raw)]]);
+return $ca9ba;
+}
+(labels = kinds__table_labels(raw));
+return [...(function* () { for (const [item, label] of $iter($b.zip(raw, labels, $k({strict: true})))) { yield self.kind.read(item, [...$iter(place), label], report); } })()];
+}
+}
+$sig(Rows, ["kind", "least", "most"], false, {least: () => 0, most: () => 1000});
+class Percent extends Quantity {
+read(raw, place, report) {
+const self = this; let found, message, text;
+
+(text = $m.strip($m.replace($b.str(raw), ",", ".")));
+if (($truth(text) && !$truth($m.strip(text, "+-.0123456789")))) {
+report.add(place, "must be a percentage", ("" + "Write \"" + $str(text) + " %\"."), raw);
+return $ca9ba;
+}
+(found = super.read(raw, place, new Report()));
+if ((found === $ca9ba)) {
+(message = ("" + "must be a percentage from 0 % to " + $format($mul(100.0, self.most), ("" + "g")) + " %"));
+report.add(place, message, "Write for example \"0.5 %\".", raw);
+}
+return found;
+}
+}
+$sig(Percent, ["dimension", "limit"], false, {limit: () => null});
 class ByName extends Kind {
 read(raw, place, report) {
 const self = this; 
 if (!$truth($b.isinstance(raw, "dict"))) {
 report.add(place, "must be a table", ("" + "Write [" + $str($at(place, $neg(1))) + ".NAME]."), raw);
-return $c2f8b;
+return $ca9ba;
 }
 if (($b.len(raw) > self.most)) {
 $method(report, "add", [place, ("" + "must have at most " + $str(self.most) + " entries")], [["value", $b.len(raw)]]);
-return $c2f8b;
+return $ca9ba;
 }
-return $map([...(function* () { for (const [name, item] of $iter($m.items(raw))) { if (!((new Name().read(name, [...$iter(place), name], report) !== $c2f8b))) continue; yield [name, self.kind.read(item, [...$iter(place), name], report)]; } })()]);
+return $map([...(function* () { for (const [name, item] of $iter($m.items(raw))) { if (!((new Name().read(name, [...$iter(place), name], report) !== $ca9ba))) continue; yield [name, self.kind.read(item, [...$iter(place), name], report)]; } })()]);
 }
 }
 $sig(ByName, ["kind", "most"], false, {most: () => 200});
+class _Nothing extends $Object {
+}
+class DimensionText extends $Tuple {
+}
+$sig(DimensionText, ["si_unit", "name", "example"], false, {});
+class Definition extends $Tuple {
+}
+$sig(Definition, ["names", "factor", "unit", "zero"], false, {zero: () => $ce5b4b});
+class Usual extends $Tuple {
+}
+$sig(Usual, ["value", "least", "most"], false, {});
+class Cords extends $Tuple {
+}
+$sig(Cords, ["diameter", "pitch", "source"], false, {});
 class Belt extends $Object {
 __post_init__() {
 const self = this; let problems;
 (problems = $add(limits__name_problems("name", $bound(self, "name")), limits__limit_problems(self, $bound(self, "LIMITS"))));
+(problems = $add(problems, belt_modulus__measurement_problems($bound(self, "modulus_test"), $bound(self, "modulus_loads"))));
+(problems = $add(problems, uncertain__uncertainty_problems($bound(self, "uncertainty"), $cc3f6)));
 limits__raise_all($or(problems, () => $or(self._cord_problems(), () => self._layer_problems())));
 }
 _cord_problems() {
@@ -7461,7 +8978,7 @@ get breaking_strength() {
 const self = this; let bare, found, told;
 
 (found = $m.search($c9234, $m.upper($m.strip(self.name))));
-if (((self.strength != null) || (found == null))) {
+if (((self.strength != null) || (found == null) || ($in("PIW", $m.upper(self.name))))) {
 return self.strength;
 }
 (told = $b.float($at(found, 1)));
@@ -7476,9 +8993,7 @@ const self = this;
 return $mul(self.modulus, self.width);
 }
 }
-$sig(Belt, ["name", "width", "modulus", "rating", "strength", "speed", "kind", "momentary_factor", "least_pulley_diameter", "largest_wrap_pressure", "in_plane_shear_stiffness", "pulley_cover", "carry_cover", "carcass", "thickness", "cover_shear_modulus", "cord_diameter", "cord_pitch", "mass", "provenance", "sources"], false, {rating: () => null, strength: () => null, speed: () => null, kind: () => "", momentary_factor: () => null, least_pulley_diameter: () => null, largest_wrap_pressure: () => null, in_plane_shear_stiffness: () => null, pulley_cover: () => null, carry_cover: () => null, carcass: () => null, thickness: () => null, cover_shear_modulus: () => null, cord_diameter: () => null, cord_pitch: () => null, mass: () => null, provenance: () => new Provenance(), sources: () => new Map()});
-class _Nothing extends $Object {
-}
+$sig(Belt, ["name", "width", "modulus", "rating", "strength", "speed", "kind", "momentary_factor", "least_pulley_diameter", "largest_wrap_pressure", "in_plane_shear_stiffness", "pulley_cover", "carry_cover", "carcass", "thickness", "cover_shear_modulus", "cord_diameter", "cord_pitch", "mass", "modulus_test", "modulus_loads", "modulus_ends", "uncertainty", "provenance", "sources"], false, {rating: () => null, strength: () => null, speed: () => null, kind: () => "", momentary_factor: () => null, least_pulley_diameter: () => null, largest_wrap_pressure: () => null, in_plane_shear_stiffness: () => null, pulley_cover: () => null, carry_cover: () => null, carcass: () => null, thickness: () => null, cover_shear_modulus: () => null, cord_diameter: () => null, cord_pitch: () => null, mass: () => null, modulus_test: () => "", modulus_loads: () => null, modulus_ends: () => null, uncertainty: () => new Map(), provenance: () => new Provenance(), sources: () => new Map()});
 class TextOr extends Kind {
 read(raw, place, report) {
 const self = this; 
@@ -7493,26 +9008,10 @@ if ($truth($b.isinstance(raw, "bool"))) {
 return raw;
 }
 report.add(place, "must be true or false", "Write it without quotes.", raw);
-return $c2f8b;
+return $ca9ba;
 }
 }
 $sig(Flag, [], false, {});
-class Choice extends Kind {
-read(raw, place, report) {
-const self = this; let message;
-
-if (($truth($b.isinstance(raw, "str")) && ($in(raw, self.options)))) {
-return raw;
-}
-if (($truth($b.isinstance(raw, "str")) && ($in(raw, self.others)))) {
-return $at(self.others, raw);
-}
-(message = ("" + "must be one of " + $str(errors__format_names($bound(self, "options")))));
-report.add(place, message, errors__nearest(raw, $bound(self, "options"), 1), raw);
-return $c2f8b;
-}
-}
-$sig(Choice, ["options", "others"], false, {others: () => new Map()});
 class Across extends $Object {
 __post_init__() {
 const self = this; let key, least, message, problems, profile;
@@ -7548,12 +9047,6 @@ return found;
 }
 }
 $sig(Across, ["shell_profile", "worn_depth", "build_up", "misalignment", "deflection", "entry_profile", "before", "after", "strips"], false, {shell_profile: () => null, worn_depth: () => null, build_up: () => null, misalignment: () => 0.0, deflection: () => 0.0, entry_profile: () => null, before: () => null, after: () => null, strips: () => 32});
-class DimensionText extends $Tuple {
-}
-$sig(DimensionText, ["si_unit", "name", "example"], false, {});
-class Definition extends $Tuple {
-}
-$sig(Definition, ["names", "factor", "unit", "zero"], false, {zero: () => $ce5b4b});
 class Variant extends Kind {
 $init(tag, meaning, ...tables) {
 const self = this; (self.tag = tag);
@@ -7571,16 +9064,16 @@ const self = this; let allowed, options, word;
 
 if (!$truth($b.isinstance(raw, "dict"))) {
 report.add(place, "must be a table", "Write its keys below its name in [ ].", raw);
-return $c2f8b;
+return $ca9ba;
 }
 (options = $b.tuple($bound(self, "tables")));
 if ((!$in(self.tag, raw))) {
 (allowed = $m.join(", ", (function* () { for (const option of $iter(options)) { yield $shown(option); } })()));
 report.add([...$iter(place), self.tag], "missing", ("" + "Write one of " + $str(allowed) + "."));
-return $c2f8b;
+return $ca9ba;
 }
 (word = new Choice(options).read($at(raw, self.tag), [...$iter(place), self.tag], report));
-return ((word === $c2f8b) ? $c2f8b : $at(self.tables, word).read(raw, place, report));
+return ((word === $ca9ba) ? $ca9ba : $at(self.tables, word).read(raw, place, report));
 }
 }
 class Pulley extends $Object {
@@ -7588,6 +9081,7 @@ __post_init__() {
 const self = this; let problems, worn;
 (problems = $add(limits__name_problems("name", $bound(self, "name")), limits__limit_problems(self, $bound(self, "LIMITS"))));
 (problems = $add(problems, criteria__choice_problems(self, $map([["side", $ca867]]))));
+(problems = $add(problems, uncertain__uncertainty_problems($bound(self, "uncertainty"), $c2e28)));
 (worn = ($truth(self.across) ? self.across.worn_depth : null));
 if (((worn != null) && (worn.largest >= self.lagging.thickness))) {
 $m.append(problems, new Problem($add("must be less than the lagging thickness ", display__display($bound(self.lagging, "thickness"), "length")), "Give the depth worn off, on radius.", undefined, "across.worn_depth", display__display($bound(worn, "largest"), "length")));
@@ -7616,7 +9110,7 @@ const self = this;
 return (self.diameter / 2.0);
 }
 }
-$sig(Pulley, ["name", "diameter", "wrap_angle", "lagging", "overrun", "recovery", "creep_limit", "side", "mass", "across", "sources", "conditions"], false, {overrun: () => null, recovery: () => true, creep_limit: () => null, side: () => "pulley", mass: () => null, across: () => null, sources: () => new Map(), conditions: () => []});
+$sig(Pulley, ["name", "diameter", "wrap_angle", "lagging", "overrun", "recovery", "creep_limit", "side", "mass", "across", "uncertainty", "sources", "conditions"], false, {overrun: () => null, recovery: () => true, creep_limit: () => null, side: () => "pulley", mass: () => null, across: () => null, uncertainty: () => new Map(), sources: () => new Map(), conditions: () => []});
 class Sag extends $Object {
 __post_init__() {
 const self = this; limits__raise_all(limits__limit_problems(self, $bound(self, "LIMITS")));
@@ -7627,19 +9121,234 @@ return ($mul($mul(self.line_mass, 9.80665), self.spacing) / $mul(8.0, self.share
 }
 }
 $sig(Sag, ["spacing", "line_mass", "share"], false, {share: () => 0.02});
-class Conveyor extends $Object {
+class Flight extends $Object {
 __post_init__() {
-const self = this; let message, problems;
+const self = this; limits__raise_all($add(limits__name_problems("name", $bound(self, "name")), limits__limit_problems(self, $bound(self, "LIMITS"))));
+}
+get rise() {
+const self = this; 
+if ((self.lift != null)) {
+return self.lift;
+}
+return ((self.slope == null) ? 0.0 : $mul(self.length, $math.sin($bound(self, "slope"))));
+}
+misfits() {
+const self = this; let given, long, message, remedy, room, steep;
+
+if (($b.abs($bound(self, "rise")) >= self.length)) {
+([given, long] = [display__display($bound(self, "rise"), "length"), display__display($bound(self, "length"), "length")]);
+(message = ("" + "must be less than the length " + $str(long)));
+return [new Problem(message, undefined, undefined, "lift", given)];
+}
+if (((self.lift == null) || (self.slope == null))) {
+return [];
+}
+(steep = $mul(self.length, $math.sin($bound(self, "slope"))));
+(room = $b.max($mul(0.01, $b.abs(steep)), $mul(0.00175, self.length)));
+if (($b.abs($sub(self.lift, steep)) <= room)) {
+return [];
+}
+(message = ("" + "contradicts lift " + $str(display__display($bound(self, "lift"), "length")) + ", it makes "));
+(message = $add(message, display__display(steep, "length")));
+(remedy = "Correct one of them, or leave it out.");
+(given = display__display($bound(self, "slope"), "angle"));
+return [new Problem(message, remedy, undefined, "slope", given)];
+}
+get sine() {
+const self = this; 
+return (self.rise / self.length);
+}
+get cosine() {
+const self = this; 
+return $math.sqrt($sub(1.0, $pow(self.sine, 2)));
+}
+}
+$sig(Flight, ["name", "length", "lift", "slope", "curve_radius", "friction_factor", "carry_idler_mass", "return_idler_mass", "carry_spacing", "return_spacing"], false, {lift: () => null, slope: () => null, curve_radius: () => null, friction_factor: () => null, carry_idler_mass: () => null, return_idler_mass: () => null, carry_spacing: () => null, return_spacing: () => null});
+class LoadingPoint extends $Object {
+__post_init__() {
+const self = this; let given, message, problem, problems, remedy;
+(problems = $add(limits__name_problems("name", $bound(self, "name")), limits__limit_problems(self, $bound(self, "LIMITS"))));
+if (($truth(self.flight) && (self.position != null))) {
+([message, remedy] = ["contradicts flight", "Leave one of them out."]);
+(given = display__display($bound(self, "position"), "length"));
+$m.append(problems, new Problem(message, remedy, undefined, "position", given));
+}
+if (((self.capacity != null) && (self.material_mass != null))) {
+(message = "means the same as capacity");
+(remedy = "Leave one of them out.");
+$m.append(problems, new Problem(message, remedy, undefined, "material_mass"));
+}
+if (((self.capacity == null) && (self.material_mass == null))) {
+(remedy = "Write capacity = \"1000 t/h\", or material_mass.");
+(problem = new Problem("missing", remedy, undefined, "capacity", undefined, undefined, "missing"));
+$m.append(problems, problem);
+}
+if (((self.skirt_width != null) && (self.density == null))) {
+(remedy = "Write density = \"1600 kg/m3\".");
+(problem = new Problem("missing", remedy, undefined, "density", undefined, undefined, "missing"));
+$m.append(problems, problem);
+}
+limits__raise_all(problems);
+}
+}
+$sig(LoadingPoint, ["name", "flight", "position", "capacity", "material_mass", "material_speed", "skirt_width", "acceleration_length", "belt_friction", "skirt_friction", "density"], false, {flight: () => "", position: () => null, capacity: () => null, material_mass: () => null, material_speed: () => 0.0, skirt_width: () => null, acceleration_length: () => null, belt_friction: () => 0.5, skirt_friction: () => 0.7, density: () => null});
+class ConveyorCase extends $Object {
+__post_init__() {
+const self = this; limits__raise_all(limits__name_problems("name", $bound(self, "name")));
+}
+factor_of(flight) {
+const self = this; 
+return ($truth(self.loads(flight)) ? $m.get(self.factor, $bound(flight, "name"), 1.0) : 0.0);
+}
+loads(flight) {
+const self = this; 
+if (($eq(self.loaded, "inclines"))) {
+return (flight.rise > 0.0);
+}
+if (($eq(self.loaded, "declines"))) {
+return (flight.rise < 0.0);
+}
+if (($in(self.loaded, ["all", "none"]))) {
+return ($eq(self.loaded, "all"));
+}
+return ($in(flight.name, self.loaded));
+}
+}
+$sig(ConveyorCase, ["name", "loaded", "factor", "kind"], false, {loaded: () => "all", factor: () => new Map(), kind: () => "running"});
+class Travel extends $Object {
+__post_init__() {
+const self = this; limits__raise_all(limits__limit_problems(self, $bound(self, "LIMITS")));
+}
+}
+$sig(Travel, ["temperature_range", "thermal_expansion", "permanent_elongation", "splice_length"], false, {temperature_range: () => null, thermal_expansion: () => null, permanent_elongation: () => null, splice_length: () => null});
+class Cema extends $Object {
+__post_init__() {
+const self = this; limits__raise_all(limits__limit_problems(self, $bound(self, "LIMITS")));
+}
+}
+$sig(Cema, ["idler_friction", "temperature_factor", "ky", "other"], false, {temperature_factor: () => 1.0, other: () => 0.0});
+class ConveyorData extends $Object {
+get material() {
+const self = this; 
+if ($truth(self.loadings)) {
+return $b.sum((function* () { for (const i of $iter($b.range($b.len($bound(self, "loadings"))))) { yield self.loading_mass(i); } })());
+}
+if ((self.material_mass != null)) {
+return self.material_mass;
+}
+return (description___known($bound(self, "capacity"), 0.0) / description___known($bound(self, "speed"), 1.0));
+}
+sizes() {
+const self = this; 
+return [self.length, self.lift, self.belt_mass, self.carry_idler_mass, self.return_idler_mass, description___known($bound(self, "material_mass"), NaN), description___known($bound(self, "capacity"), NaN), self.friction_factor, description___known($bound(self, "secondary_resistance"), NaN), (($eq(self.special_resistance, 0.0)) ? NaN : self.special_resistance), description___known($bound(self, "start_time"), NaN), description___known($bound(self, "stop_time"), NaN), description___known($bound(self, "take_up_tension"), NaN), description___known($bound(self, "counterweight"), NaN)];
+}
+get take_up() {
+const self = this; 
+if ((self.take_up_tension != null)) {
+return self.take_up_tension;
+}
+return ($mul(description___known($bound(self, "counterweight"), 0.0), 9.80665) / self.sheave_ratio);
+}
+get coefficient() {
+const self = this; 
+if (((self.secondary_resistance != null) || $truth(self.itemised))) {
+return null;
+}
+return description___known($bound(self, "length_coefficient"), resistance__coefficient_at($bound(self, "length")));
+}
+get itemised() {
+const self = this; 
+return ($b.len($bound(self, "locals")) > 0);
+}
+get take_up_behind() {
+const self = this; let at_tail, first, passed, way, ways, whole;
+
+if ((($b.len($bound(self, "drives")) < 2) || ($eq(self.take_up_after, $at(self.drives, $neg(1)).pulley)))) {
+return null;
+}
+if ($truth(self.take_up_after)) {
+return self.take_up_after;
+}
+(whole = $mul(2.0, self.length));
+(first = self.along($at(self.drives, 0)));
+(ways = [...(function* () { for (const drive of $iter(self.drives)) { yield ($sub(self.along(drive), first) % whole); } })()]);
+(at_tail = (self.take_up_distance >= $mul(self.length, $sub(1.0, 1e-09))));
+(way = ($sub($sub($add(self.length, self.take_up_distance), first), ($truth(at_tail) ? 1e-06 : 0.0)) % whole));
+(passed = [...(function* () { for (const [drive, at] of $iter($b.zip($bound(self, "drives"), ways, $k({strict: true})))) { if (!((at <= way))) continue; yield drive.pulley; } })()]);
+return (($eq($b.len(passed), $b.len($bound(self, "drives")))) ? null : $at(passed, $neg(1)));
+}
+along(drive) {
+const self = this; let position;
+
+if (($eq(drive.at, "head"))) {
+return self.length;
+}
+if (($eq(drive.at, "tail"))) {
+return $mul(2.0, self.length);
+}
+(position = description___known($bound(drive, "position"), 0.0));
+return (($eq(drive.at, "carry")) ? position : $add(self.length, position));
+}
+loading_mass(index) {
+const self = this; let point;
+
+if (!$truth(self.loadings)) {
+return self.material;
+}
+(point = $at(self.loadings, index));
+if ((point.material_mass != null)) {
+return point.material_mass;
+}
+return (description___known($bound(point, "capacity"), 0.0) / description___known($bound(self, "speed"), 1.0));
+}
+get course_flights() {
+const self = this; 
+return $or(self.flights, () => [new Flight("conveyor", self.length, self.lift)]);
+}
+get course_drives() {
+const self = this; 
+return $or(self.drives, () => [new DrivePlace("", self.drive_at)]);
+}
+loading_positions() {
+const self = this; let flight, now, starts;
+
+([starts, now] = [$map([["", 0.0]]), 0.0]);
+for (flight of $iter(self.flights)) {
+$put(starts, flight.name, now);
+(now = $add(now, flight.length));
+}
+if (!$truth(self.loadings)) {
+return [0.0];
+}
+return [...(function* () { for (const point of $iter(self.loadings)) { yield ((point.position == null) ? $m.get(starts, $bound(point, "flight"), 0.0) : point.position); } })()];
+}
+get unusual_friction() {
+const self = this; let least, most;
+
+([least, most] = $c32fc);
+if ((least <= self.friction_factor && self.friction_factor <= most)) {
+return "";
+}
+return ("" + ", outside the usual " + $format(least, ("" + ".3f")) + " to " + $format(most, ("" + ".3f")));
+}
+}
+$sig(ConveyorData, ["length", "lift", "belt_mass", "carry_idler_mass", "return_idler_mass", "material_mass", "capacity", "friction_factor", "length_coefficient", "secondary_resistance", "special_resistance", "return_share", "start_factor", "start_time", "stop_time", "take_up_tension", "counterweight", "take_up_distance", "drive_at", "speed", "sheave_ratio", "flights", "loadings", "cases", "drives", "locals", "take_up_after", "carry_spacing", "return_spacing", "sag_limit", "rest_friction", "width", "thickness", "steel", "travel", "cema", "uncertainty"], false, {lift: () => 0.0, material_mass: () => null, capacity: () => null, friction_factor: () => 0.02, length_coefficient: () => null, secondary_resistance: () => null, special_resistance: () => 0.0, return_share: () => 0.0, start_factor: () => null, start_time: () => null, stop_time: () => null, take_up_tension: () => null, counterweight: () => null, take_up_distance: () => 0.0, drive_at: () => "head", speed: () => null, sheave_ratio: () => 2.0, flights: () => [], loadings: () => [], cases: () => [], drives: () => [], locals: () => [], take_up_after: () => "", carry_spacing: () => null, return_spacing: () => null, sag_limit: () => 0.01, rest_friction: () => 0.5, width: () => null, thickness: () => null, steel: () => false, travel: () => null, cema: () => null, uncertainty: () => new Map()});
+class Conveyor extends ConveyorData {
+__post_init__() {
+const self = this; let given, message, problems;
 (problems = limits__limit_problems(self, $bound(self, "LIMITS")));
-(problems = $add(problems, conveyor__choices(new Set((function* () { for (const key of $iter(self.LIMITS)) { if (!(($b.getattr(self, key) != null))) continue; yield key; } })()))));
+(given = new Set((function* () { for (const key of $iter(self.LIMITS)) { if (!(($b.getattr(self, key) != null))) continue; yield key; } })()));
+(problems = $add(problems, choices__choices($merged(given, ($truth(self.loadings) ? new Set(["loading"]) : $b.set())))));
 if ((!$in(self.drive_at, $c6846))) {
 (message = ("" + "must be one of " + $str($m.join(", ", $c6846))));
 $m.append(problems, new Problem(message, undefined, undefined, "drive_at", $shown($bound(self, "drive_at"))));
 }
+(problems = $add(problems, uncertain__uncertainty_problems($bound(self, "uncertainty"), $cac72)));
+(problems = $add(problems, [...(function* () { for (const key of $iter($cac72)) { if (!((($in(key, self.uncertainty)) && ($b.getattr(self, key) == null)))) continue; yield new Problem(("" + $str(key) + " is missing"), "Give both.", undefined, ("" + "uncertainty." + $str(key))); } })()]));
 limits__raise_all($or(problems, () => $b.list(self.misfits())));
 }
 *misfits() {
-const self = this; let given, long, message;
+const self = this; let given, long, message, stated;
 
 (long = display__display($bound(self, "length"), "length"));
 if (($b.abs($bound(self, "lift")) >= self.length)) {
@@ -7651,34 +9360,11 @@ if ((self.take_up_distance > self.length)) {
 (message = ("" + "must be at most the length " + $str(long)));
 yield new Problem(message, undefined, undefined, "take_up_distance", given);
 }
-if (((self.secondary_resistance == null) && (self.length_coefficient == null))) {
+(stated = $or((self.secondary_resistance != null), () => (self.length_coefficient != null)));
+if ((!$truth(stated) && !$truth(self.itemised))) {
 yield* $iter(resistance__no_coefficient($bound(self, "length")));
 }
-}
-get material() {
-const self = this; 
-if ((self.material_mass != null)) {
-return self.material_mass;
-}
-return (conveyor___known($bound(self, "capacity"), 0.0) / conveyor___known($bound(self, "speed"), 1.0));
-}
-sizes() {
-const self = this; 
-return [self.length, self.lift, self.belt_mass, self.carry_idler_mass, self.return_idler_mass, conveyor___known($bound(self, "material_mass"), NaN), conveyor___known($bound(self, "capacity"), NaN), self.friction_factor, conveyor___known($bound(self, "secondary_resistance"), NaN), (($eq(self.special_resistance, 0.0)) ? NaN : self.special_resistance), conveyor___known($bound(self, "start_time"), NaN), conveyor___known($bound(self, "stop_time"), NaN), conveyor___known($bound(self, "take_up_tension"), NaN), conveyor___known($bound(self, "counterweight"), NaN)];
-}
-get take_up() {
-const self = this; 
-if ((self.take_up_tension != null)) {
-return self.take_up_tension;
-}
-return ($mul(conveyor___known($bound(self, "counterweight"), 0.0), 9.80665) / self.sheave_ratio);
-}
-get coefficient() {
-const self = this; 
-if ((self.secondary_resistance != null)) {
-return null;
-}
-return conveyor___known($bound(self, "length_coefficient"), resistance__coefficient_at($bound(self, "length")));
+yield* $iter(fits__flight_misfits(self));
 }
 states() {
 const self = this; let states;
@@ -7688,17 +9374,11 @@ limits__raise_all(self.unfit(states));
 return $b.tuple(states);
 }
 reckoned() {
-const self = this; let acceleration, full, kind, name, states;
-
-(full = self._state("full", "running", $bound(self, "material"), 0.0));
-(states = [full, self._state("empty", "running", 0.0, 0.0)]);
-for ([name, kind, acceleration] of $iter(self._changes($bound(full, "pull")))) {
-$m.append(states, self._state(name, kind, $bound(self, "material"), acceleration));
-}
-return states;
+const self = this; 
+return course__course_states(self);
 }
 unfit(states) {
-const self = this; let least, message, problems, remedy, state;
+const self = this; let message, problems, remedy, slack, state;
 
 (problems = []);
 if (((self.start_factor != null) && ($at(states, 0).pull <= 0.0))) {
@@ -7707,78 +9387,13 @@ if (((self.start_factor != null) && ($at(states, 0).pull <= 0.0))) {
 $m.append(problems, new Problem(message, remedy, undefined, "start_factor"));
 }
 for (state of $iter(states)) {
-(least = $b.min($bound(state, "head"), $bound(state, "tail"), $bound(state, "entry"), $bound(state, "exit")));
-if ((least <= 0.0)) {
-$m.append(problems, conveyor___slack(state, least));
-}
+(slack = state.slack_problem());
+(problems = $add(problems, ((slack == null) ? [] : [slack])));
 }
 return problems;
 }
-*_changes(pull) {
-const self = this; let moving;
-
-if ((self.start_factor != null)) {
-(moving = $add(self._moving($bound(self, "material")), self._moving(null)));
-yield ["start", "starting", ($mul($sub(self.start_factor, 1.0), pull) / $mul(self.length, moving))];
 }
-if (((self.start_time != null) && (self.speed != null))) {
-yield ["start", "starting", (self.speed / self.start_time)];
-}
-if (((self.stop_time != null) && (self.speed != null))) {
-yield ["stop", "braking", ($neg(self.speed) / self.stop_time)];
-}
-}
-_moving(material) {
-const self = this; 
-if ((material == null)) {
-return $add(self.return_idler_mass, self.belt_mass);
-}
-return $add($add(self.carry_idler_mass, self.belt_mass), material);
-}
-_state(name, kind, material, acceleration) {
-const self = this; let at_head, carrying, entry, head, leaving, resistances, returning, tail;
-(resistances = $b.tuple(self._resistances(material, acceleration)));
-(carrying = $b.sum((function* () { for (const r of $iter(resistances)) { yield r.carrying; } })()));
-(returning = $b.sum((function* () { for (const r of $iter(resistances)) { yield r.returning; } })()));
-(head = $sub(self.take_up, ($mul(returning, self.take_up_distance) / self.length)));
-(tail = $add(head, returning));
-(at_head = ($eq(self.drive_at, "head")));
-(entry = ($truth(at_head) ? $add(tail, carrying) : tail));
-(leaving = ($truth(at_head) ? head : $sub(head, carrying)));
-return new conveyor$State(name, kind, resistances, head, tail, entry, leaving);
-}
-*_resistances(material, acceleration) {
-const self = this; let belt, carrying, coefficient, down, factor, length, lift, loaded, main, returning, secondary, share, source, special, up;
-([belt, loaded, share] = [self.belt_mass, $add(self.belt_mass, material), self.return_share]);
-([factor, length, lift] = [self.friction_factor, self.length, self.lift]);
-(main = new Resistance("main", resistance__main_resistance(factor, length, lift, $bound(self, "carry_idler_mass"), loaded), resistance__main_resistance(factor, length, lift, $bound(self, "return_idler_mass"), belt), ("" + $str("DIN 22101:2002-08, 6.2; ISO 5048:1989: f L g (m'R + (m'G + m'L) cos delta)") + ", f = " + $format(self.friction_factor, ("" + "g")) + $str(self._unusual))));
-yield main;
-([secondary, source] = [self.secondary_resistance, "given"]);
-if ((secondary == null)) {
-(coefficient = conveyor___known($bound(self, "coefficient"), 1.0));
-(secondary = $mul($sub(coefficient, 1.0), main.total));
-(source = ("" + $str("DIN 22101:2002-08, 6.3.3: (C - 1) times the main resistance") + ", C = " + $format(coefficient, ("" + ".3g"))));
-(source = $add(source, ((self.length_coefficient == null) ? "" : " (input)")));
-}
-yield new Resistance("secondary", $mul($sub(1.0, share), secondary), $mul(share, secondary), source);
-([up, down] = [resistance__slope_resistance($bound(self, "lift"), loaded), $neg(resistance__slope_resistance($bound(self, "lift"), belt))]);
-yield new Resistance("slope", up, down, "DIN 22101:2002-08, 6.4: g H (m'G + m'L), up on one strand and down on the other");
-(special = self.special_resistance);
-yield new Resistance("special", $mul($sub(1.0, share), special), $mul(share, special), "given");
-(carrying = resistance__inertia(acceleration, $bound(self, "length"), self._moving(material)));
-(returning = resistance__inertia(acceleration, $bound(self, "length"), self._moving(null)));
-yield new Resistance("inertia", carrying, returning, "force to accelerate belt, material and rotating idlers (DIN 22101:2002-08, 7.3), the idlers with their whole rotating mass");
-}
-get _unusual() {
-const self = this; let least, most;
-([least, most] = $cc8d3);
-if ((least <= self.friction_factor && self.friction_factor <= most)) {
-return "";
-}
-return ("" + ", outside the usual " + $format(least, ("" + ".3f")) + " to " + $format(most, ("" + ".3f")));
-}
-}
-$sig(Conveyor, ["length", "lift", "belt_mass", "carry_idler_mass", "return_idler_mass", "material_mass", "capacity", "friction_factor", "length_coefficient", "secondary_resistance", "special_resistance", "return_share", "start_factor", "start_time", "stop_time", "take_up_tension", "counterweight", "take_up_distance", "drive_at", "speed", "sheave_ratio"], false, {lift: () => 0.0, material_mass: () => null, capacity: () => null, friction_factor: () => 0.02, length_coefficient: () => null, secondary_resistance: () => null, special_resistance: () => 0.0, return_share: () => 0.0, start_factor: () => null, start_time: () => null, stop_time: () => null, take_up_tension: () => null, counterweight: () => null, take_up_distance: () => 0.0, drive_at: () => "head", speed: () => null, sheave_ratio: () => 2.0});
+$sig(Conveyor, ["length", "lift", "belt_mass", "carry_idler_mass", "return_idler_mass", "material_mass", "capacity", "friction_factor", "length_coefficient", "secondary_resistance", "special_resistance", "return_share", "start_factor", "start_time", "stop_time", "take_up_tension", "counterweight", "take_up_distance", "drive_at", "speed", "sheave_ratio", "flights", "loadings", "cases", "drives", "locals", "take_up_after", "carry_spacing", "return_spacing", "sag_limit", "rest_friction", "width", "thickness", "steel", "travel", "cema", "uncertainty"], false, {lift: () => 0.0, material_mass: () => null, capacity: () => null, friction_factor: () => 0.02, length_coefficient: () => null, secondary_resistance: () => null, special_resistance: () => 0.0, return_share: () => 0.0, start_factor: () => null, start_time: () => null, stop_time: () => null, take_up_tension: () => null, counterweight: () => null, take_up_distance: () => 0.0, drive_at: () => "head", speed: () => null, sheave_ratio: () => 2.0, flights: () => [], loadings: () => [], cases: () => [], drives: () => [], locals: () => [], take_up_after: () => "", carry_spacing: () => null, return_spacing: () => null, sag_limit: () => 0.01, rest_friction: () => 0.5, width: () => null, thickness: () => null, steel: () => false, travel: () => null, cema: () => null, uncertainty: () => new Map()});
 class Rule extends $Object {
 *checks(of) {
 const self = this; let check, found, limit, noun, shown, text, title, value, why;
@@ -7861,6 +9476,9 @@ $sig(KeyFigure, ["name", "better", "elsewhere"], false, {better: () => "low", el
 class LaggingCost extends $Object {
 }
 $sig(LaggingCost, ["name", "surface", "material", "installation", "currency", "area", "life_years", "ten_year_cost", "provenance"], false, {});
+class ModulusRatio extends $Tuple {
+}
+$sig(ModulusRatio, ["least", "most", "source"], false, {});
 class Cost extends $Object {
 __post_init__() {
 const self = this; let message, problems, years;
@@ -8087,6 +9705,13 @@ $sig(FluidCoupling, ["rated_power", "rated_speed", "gear_ratio", "gear_efficienc
 class Load extends $Tuple {
 }
 $sig(Load, ["entry_tension", "exit_tension", "creep_limit", "pressure_min", "pressure_max", "slip_max", "steepest_fall"], false, {});
+class ElongationAt extends $Tuple {
+__str__() {
+const self = this; 
+return ("" + $format($mul(100.0, self.strain), ("" + ".4g")) + " % at " + $format($mul(100.0, self.share), ("" + ".4g")) + " %");
+}
+}
+$sig(ElongationAt, ["strain", "share"], false, {});
 class Transition extends $Object {
 __post_init__() {
 const self = this; let message, problems;
@@ -8099,13 +9724,119 @@ limits__raise_all(problems);
 }
 }
 $sig(Transition, ["length", "trough_angle", "centre_roll", "depth"], false, {depth: () => "full"});
-class conveyor$State extends $Object {
+class TiltResistance extends $Object {
+__post_init__() {
+const self = this; let message, problems;
+(problems = limits__limit_problems(self, $bound(self, "LIMITS")));
+if ((!$in(self.strand, ["carry", "return"]))) {
+(message = "must be one of carry, return");
+$m.append(problems, new Problem(message, undefined, undefined, "strand", $shown($bound(self, "strand"))));
+}
+limits__raise_all(problems);
+}
+per_weight(whole) {
+const self = this; let part;
+
+(part = ((self.length == null) ? 1.0 : $b.min(1.0, (self.length / whole))));
+return $mul($mul($mul(self.trough_coefficient, self.friction), $math.sin($bound(self, "angle"))), part);
+}
+}
+$sig(TiltResistance, ["strand", "angle", "trough_coefficient", "friction", "length"], false, {strand: () => "carry", trough_coefficient: () => 0.4, friction: () => 0.3, length: () => null});
+class PulleyResistance extends $Object {
+__post_init__() {
+const self = this; limits__raise_all($add(limits__limit_problems(self, $bound(self, "LIMITS")), flight__place_problems($bound(self, "at"), $bound(self, "position"))));
+}
+wrap(tension, width, thickness, steel) {
+const self = this; let constant, first, one;
+
+([first, constant] = ($truth(steel) ? [12.0, 200.0] : [9.0, 140.0]));
+(one = ($mul($mul($mul(first, width), $add(constant, ($mul(0.01, tension) / width))), thickness) / self.diameter));
+return $mul(self.count, one);
+}
+bearing(tension) {
+const self = this; let load;
+
+(load = $math.hypot($mul($mul(2.0, tension), $math.sin($mul(0.5, self.wrap_angle))), $mul(self.mass, 9.80665)));
+return ($mul($mul($mul(self.count, 0.005), load), self.shaft_diameter) / self.diameter);
+}
+}
+$sig(PulleyResistance, ["at", "position", "diameter", "shaft_diameter", "wrap_angle", "mass", "count"], false, {at: () => "head", position: () => null, shaft_diameter: () => 0.0, wrap_angle: () => 3.141592653589793, mass: () => 0.0, count: () => 1});
+class loop$Spot extends $Tuple {
+}
+$sig(loop$Spot, ["strand", "position", "rank", "order", "kind", "which", "name"], false, {});
+class PointResistance extends $Object {
+__post_init__() {
+const self = this; limits__raise_all($add(limits__limit_problems(self, $bound(self, "LIMITS")), flight__place_problems($bound(self, "at"), $bound(self, "position"))));
+}
+}
+$sig(PointResistance, ["at", "position", "force"], false, {at: () => "head", position: () => null});
+class SkirtResistance extends $Object {
+__post_init__() {
+const self = this; limits__raise_all(limits__limit_problems(self, $bound(self, "LIMITS")));
+}
+force(material) {
+const self = this; let squared;
+
+(squared = ($mul(material, material) / $mul(self.density, $pow(self.width, 2))));
+return $mul($mul($mul(self.friction, squared), 9.80665), self.length);
+}
+}
+$sig(SkirtResistance, ["position", "length", "width", "density", "friction"], false, {position: () => 0.0, friction: () => 0.7});
+class Segment extends $Object {
+get moving() {
+const self = this; 
+return $mul(self.length, $add(self.carried, self.rotating));
+}
+}
+$sig(Segment, ["strand", "flight", "position", "length", "lift", "carried", "rotating", "forces"], false, {});
+class CleanerResistance extends $Object {
+__post_init__() {
+const self = this; limits__raise_all($add(limits__limit_problems(self, $bound(self, "LIMITS")), flight__place_problems($bound(self, "at"), $bound(self, "position"))));
+}
+get force() {
+const self = this; 
+return $mul($mul($mul($mul(self.count, self.width), self.thickness), self.pressure), self.friction);
+}
+}
+$sig(CleanerResistance, ["at", "position", "width", "thickness", "pressure", "friction", "count"], false, {at: () => "head", position: () => null, friction: () => 0.6, count: () => 1});
+class DrivePull extends $Object {
+}
+$sig(DrivePull, ["pulley", "share", "entry", "exit"], false, {});
+class state$State extends $Object {
 get pull() {
 const self = this; 
 return $b.sum((function* () { for (const resistance of $iter(self.resistances)) { yield resistance.total; } })());
 }
+get highest() {
+const self = this; let ends;
+
+(ends = [self.head, self.tail, self.entry, self.exit]);
+return $b.max([...$iter(ends), ...$iter((function* () { for (const p of $iter(self.points)) { yield $b.max($bound(p, "before"), $bound(p, "after")); } })())]);
 }
-$sig(conveyor$State, ["name", "kind", "resistances", "head", "tail", "entry", "exit"], false, {});
+slack_problem() {
+const self = this; let lowest, message, remedy, spot, where;
+
+(lowest = self.lowest);
+if ((lowest > 0.0)) {
+return null;
+}
+(where = (($in(lowest, [self.entry, self.exit])) ? "at the drive pulley" : "at the far end"));
+if (($b.len(new Set((function* () { for (const stretch of $iter(self.stretches)) { yield stretch.flight; } })())) > 3)) {
+(spot = alike__least($bound(self, "points"), ((p) => $b.min($bound(p, "before"), $bound(p, "after")))));
+(where = ("" + "at " + $str(spot.name) + " (" + $str(spot.strand) + ")"));
+}
+(message = ("" + "leaves " + $str(display__display(lowest, "force")) + " " + $str(where) + " in load case " + $str(self.name)));
+(remedy = "Give a larger take-up tension.");
+return new Problem(message, remedy, undefined, "take_up_tension");
+}
+get lowest() {
+const self = this; let ends;
+
+(ends = [self.head, self.tail, self.entry, self.exit]);
+return $b.min([...$iter(ends), ...$iter((function* () { for (const p of $iter(self.points)) { yield $b.min($bound(p, "before"), $bound(p, "after")); } })())]);
+}
+}
+$sig(state$State, ["name", "kind", "resistances", "head", "tail", "entry", "exit", "acceleration", "points", "stretches", "drives", "standstill"], false, {acceleration: () => 0.0, points: () => [], stretches: () => [], drives: () => [], standstill: () => null});
 class Resistance extends $Object {
 get total() {
 const self = this; 
@@ -8113,6 +9844,15 @@ return $add(self.carrying, self.returning);
 }
 }
 $sig(Resistance, ["name", "carrying", "returning", "source"], false, {});
+class BeltPoint extends $Object {
+}
+$sig(BeltPoint, ["strand", "position", "name", "kind", "before", "after"], false, {});
+class Stretch extends $Object {
+}
+$sig(Stretch, ["flight", "strand", "start", "end", "least", "forces", "driven", "mass"], false, {});
+class Standstill extends $Object {
+}
+$sig(Standstill, ["slope", "friction"], false, {});
 class OneOrMore extends Kind {
 read(raw, place, report) {
 const self = this; 
@@ -8123,29 +9863,6 @@ return new Rows($bound(self, "kind"), 1, $bound(self, "most")).read(raw, place, 
 }
 }
 $sig(OneOrMore, ["kind", "most"], false, {most: () => 50});
-class Rows extends Kind {
-read(raw, place, report) {
-const self = this; let count, labels, name;
-
-if (($truth($b.isinstance(raw, "dict")) && $truth(place))) {
-(name = problems__place_text(place));
-report.add(place, "must be an array of tables", ("" + "Write [[" + $str(name) + "]] for [" + $str(name) + "]."));
-return $c2f8b;
-}
-if (!$truth($b.isinstance(raw, "list"))) {
-report.add(place, "must be an array", "Put it in [ ], as the examples show.", raw);
-return $c2f8b;
-}
-if (!(self.least <= $b.len(raw) && $b.len(raw) <= self.most)) {
-(count = ($truth(self.least) ? ("" + $str(self.least) + " to " + $str(self.most)) : ("" + "at most " + $str(self.most))));
-$method(report, "add", [place, ("" + "must have " + $str(count) + " entries")], [["value", $b.len(raw)]]);
-return $c2f8b;
-}
-(labels = kinds__table_labels(raw));
-return [...(function* () { for (const [item, label] of $iter($b.zip(raw, labels, $k({strict: true})))) { yield self.kind.read(item, [...$iter(place), label], report); } })()];
-}
-}
-$sig(Rows, ["kind", "least", "most"], false, {least: () => 0, most: () => 1000});
 class ElasticPlastic extends FrictionLaw {
 __post_init__() {
 const self = this; let k, mu;
@@ -8185,8 +9902,8 @@ const self = this; let built, crown, factor, found, half, heights, mean, on, rea
 
 (found = $b.len($bound(report, "problems")));
 (read = self.within.read(raw, place, report));
-if (((read === $c2f8b) || ($b.len($bound(report, "problems")) > found))) {
-return $c2f8b;
+if (((read === $ca9ba) || ($b.len($bound(report, "problems")) > found))) {
+return $ca9ba;
 }
 (table = ($truth($b.isinstance(read, Record)) ? read : $map([["rows", read]])));
 ([rows, on] = [$m.get(table, "rows", []), $m.get(table, "on", "radius")]);
@@ -8203,10 +9920,10 @@ if ((($eq(on, "diameter")) && $truth(values) && ($b.min(values) > 0.1))) {
 (values = [...(function* () { for (const value of $iter(values)) { yield $mul(factor, value); } })()]);
 (heights = [...$iter(values), crown]);
 if (($truth(self.diameters) && !$truth(self._deviations(heights, half, place, report)))) {
-return $c2f8b;
+return $ca9ba;
 }
 (built = report.tried((() => new WidthProfile($b.tuple((function* () { for (const [y, _] of $iter(rows)) { yield y; } })()), $b.tuple(values), crown, (($in("uncertainty", table)) ? $mul($mul(factor, half), $at(table, "uncertainty")) : null))), place));
-return ((built == null) ? $c2f8b : built);
+return ((built == null) ? $ca9ba : built);
 }
 _deviations(values, half, place, report) {
 const self = this; let worst;
@@ -8227,10 +9944,10 @@ read(raw, place, report) {
 const self = this; let pair;
 if ((!$truth($b.isinstance(raw, "list")) || (!$eq($b.len(raw), 2)))) {
 $method(report, "add", [place, "must be a pair, position and value"], [["value", raw]]);
-return $c2f8b;
+return $ca9ba;
 }
 (pair = [...(function* () { for (const [kind, item, what] of $iter($b.zip($bound(self, "kinds"), raw, ["position", "value"], $k({strict: true})))) { yield kind.read(item, [...$iter(place), what], report); } })()]);
-return (($in($c2f8b, pair)) ? $c2f8b : $b.tuple(pair));
+return (($in($ca9ba, pair)) ? $ca9ba : $b.tuple(pair));
 }
 }
 class GrippingPulley extends $Object {
@@ -8249,13 +9966,13 @@ return raw;
 }
 (message = ("" + "must be a whole number from " + $str(self.least) + " to " + $str(self.most)));
 $method(report, "add", [place, message], [["value", raw]]);
-return $c2f8b;
+return $ca9ba;
 }
 }
 $sig(Count, ["least", "most"], false, {});
 class Misplaced extends $Tuple {
 }
-$sig(Misplaced, ["keys", "message", "remedy"], false, {});
+$sig(Misplaced, ["keys", "message", "remedy", "owner"], false, {});
 class Elsewhere extends Kind {
 read(raw, place, report) {
 const self = this; 
@@ -8263,6 +9980,33 @@ return raw;
 }
 }
 $sig(Elsewhere, [], false, {});
+class Slope extends Quantity {
+read(raw, place, report) {
+const self = this; let message, rise;
+
+try {
+(rise = parse__parse_quantity(raw, "number"));
+} catch ($error) {
+if ($error instanceof InputError) {
+return super.read(raw, place, report);
+} else throw $error;
+}
+if (($b.abs(rise) > 1.0)) {
+(message = "must be an angle, or a rise over run up to 100 %");
+report.add(place, message, "Write \"2 deg\" or \"3.5 %\".", raw);
+return $ca9ba;
+}
+return $math.atan(rise);
+}
+}
+$sig(Slope, ["dimension", "limit"], false, {limit: () => null});
+class LoadedFlights extends Kind {
+read(raw, place, report) {
+const self = this; 
+return ($truth($b.isinstance(raw, "list")) ? self.names.read(raw, place, report) : new Choice($c28af).read(raw, place, report));
+}
+}
+$sig(LoadedFlights, [], false, {});
 class Either extends Kind {
 read(raw, place, report) {
 const self = this; let kind, value;
@@ -8276,10 +10020,10 @@ continue;
 } else throw $error;
 }
 (value = kind.read(raw, place, report));
-return ((value === $c2f8b) ? $c2f8b : [kind.dimension, value]);
+return ((value === $ca9ba) ? $ca9ba : [kind.dimension, value]);
 }
 $method(report, "add", [place, ("" + "must be " + $str(self.words))], [["value", raw]]);
-return $c2f8b;
+return $ca9ba;
 }
 }
 $sig(Either, ["first", "second", "words"], false, {});
@@ -8291,7 +10035,7 @@ return "equal";
 }
 if ($truth($b.isinstance(raw, "str"))) {
 $method(report, "add", [place, ("" + "must be \"" + $str("equal") + "\" or an array of speeds")], [["value", raw]]);
-return $c2f8b;
+return $ca9ba;
 }
 return self.rows.read(raw, place, report);
 }
@@ -8312,7 +10056,7 @@ const $ceae0 = ["longest", "lines"];
 const $ccf8f = $made(Text, $ceae0, [200, false]);
 const $c34bd = $made(Entry, $cc442, ["title", $ccf8f, false, "", "", "title", ""]);
 const $c7b03 = $made(Text, $ceae0, [5000, true]);
-const $ce3f2 = $made(Entry, $cc442, ["description", $c7b03, false, "", "", "description", ""]);
+const $ce3f29 = $made(Entry, $cc442, ["description", $c7b03, false, "", "", "description", ""]);
 const $cf70d = ["dimension", "least", "most", "open", "rigid"];
 const $c2680 = $made(Limit, $cf70d, ["length", 0.0, 1.0, true, false]);
 const $ce647 = $made(Quantity, $cd20a, ["length", $c2680]);
@@ -8325,7 +10069,7 @@ const $ca26a = $made(Name, $c4a10, [60]);
 const $c7314 = $made(Entry, $cc442, ["name", $ca26a, true, "", "", "name", ""]);
 const $cd2d2 = $made(Limit, $cf70d, ["number", 0.0, 2.0, true, false]);
 const $ceac4 = $made(Quantity, $cd20a, ["number", $cd2d2]);
-const $ca34d = $made(Entry, $cc442, ["friction_factor", $ceac4, false, "", "", "factor", ""]);
+const $ca34d5 = $made(Entry, $cc442, ["friction_factor", $ceac4, false, "", "", "factor", ""]);
 const $c6a0b = $made(ByName, $cf6b7, [$ceac4, 200]);
 const $c4bd7 = $made(Entry, $cc442, ["friction_factors", $c6a0b, false, "", "", "friction_factors", ""]);
 const $c322f = ["options", "others"];
@@ -8347,8 +10091,8 @@ const $c085d = [$c4f19, $c57e7, $caef5, $cd519];
 const $cc3a5 = new Map([["kind", $c4f19], ["source", $c57e7], ["date", $caef5], ["note", $cd519]]);
 const $cc542 = $made(tables$Table, $c38db, [Provenance, null, $c085d, $cc3a5]);
 const $c18ea = $made(Entry, $cc442, ["provenance", $cc542, false, "", "", "provenance", ""]);
-const $c3411 = [$c7314, $ca34d, $c4bd7, $ce3ac, $c18ea];
-const $c1628 = new Map([["name", $c7314], ["friction_factor", $ca34d], ["friction_factors", $c4bd7], ["standard", $ce3ac], ["provenance", $c18ea]]);
+const $c3411 = [$c7314, $ca34d5, $c4bd7, $ce3ac, $c18ea];
+const $c1628 = new Map([["name", $c7314], ["friction_factor", $ca34d5], ["friction_factors", $c4bd7], ["standard", $ce3ac], ["provenance", $c18ea]]);
 const $c0bb9 = $made(tables$Table, $c38db, [Condition, null, $c3411, $c1628]);
 const $c6e45 = $made(TextOr, $cea31, [$cd35f, $c0bb9]);
 const $c317e = $made(OneOrMore, $cf6b7, [$c6e45, 8]);
@@ -8359,7 +10103,7 @@ const $c2f46 = $made(Name, $c4a10, [60]);
 const $c801a = $made(Entry, $cc442, ["name", $c2f46, false, "", "", "name", ""]);
 const $c291d = $made(Text, $ceae0, [60, false]);
 const $c7e52 = $made(Entry, $cc442, ["kind", $c291d, false, "", "", "kind", ""]);
-const $c1da4 = $made(Limit, $cf70d, ["length", 0.001, 1000.0, false, false]);
+const $c1da4 = $made(Limit, $cf70d, ["length", 0.001, 10.0, false, false]);
 const $c01ab = $made(Quantity, $cd20a, ["length", $c1da4]);
 const $cd329 = $made(Entry, $cc442, ["width", $c01ab, true, "", "", "width", ""]);
 const $c6a10 = ["word", "kind", "meaning"];
@@ -8367,12 +10111,24 @@ const $c5a26 = $made(Limit, $cf70d, ["force_per_width", 1000.0, Infinity, false,
 const $cebd5 = $made(Quantity, $cd20a, ["force_per_width", $c5a26]);
 const $c4321 = $made(WordOr, $c6a10, ["rigid", $cebd5, Infinity]);
 const $c0833 = $made(Entry, $cc442, ["modulus", $c4321, false, "", "", "modulus", ""]);
+const $c4b77 = $made(Elongation, [], []);
+const $cb156 = $made(Entry, $cc442, ["elongation", $c4b77, false, "", "", "elongation", ""]);
 const $c4bc3 = $made(Limit, $cf70d, ["force_per_width", 0.0, Infinity, true, false]);
 const $c5a41 = $made(Quantity, $cd20a, ["force_per_width", $c4bc3]);
 const $cb059 = $made(Entry, $cc442, ["rating", $c5a41, false, "", "", "rating", ""]);
 const $c3eaf = $made(Limit, $cf70d, ["force_per_width", 0.0, Infinity, true, false]);
 const $cae9b = $made(Quantity, $cd20a, ["force_per_width", $c3eaf]);
 const $c8c7e = $made(Entry, $cc442, ["strength", $cae9b, false, "", "", "strength", ""]);
+const $c3769 = ["dynamic", "static"];
+const $cea8d = new Map([]);
+const $c52cc = $made(Choice, $c322f, [$c3769, $cea8d]);
+const $cd900 = $made(Entry, $cc442, ["modulus_test", $c52cc, false, "", "", "modulus_test", ""]);
+const $ce552 = ["kind", "least", "most"];
+const $c7fcc = ["dimension", "limit", "most"];
+const $c924e = $made(Limit, $cf70d, ["number", 0.0, 1.0, false, false]);
+const $cbbb2 = $made(Percent, $c7fcc, ["number", $c924e, 1.0]);
+const $cd2af = $made(Rows, $ce552, [$cbbb2, 2, 2]);
+const $c34a0 = $made(Entry, $cc442, ["modulus_loads", $cd2af, false, "", "", "modulus_loads", ""]);
 const $c45b0 = $made(Limit, $cf70d, ["speed", 0.0, 1000.0, true, false]);
 const $cbc50 = $made(Quantity, $cd20a, ["speed", $c45b0]);
 const $c2745 = $made(Entry, $cc442, ["speed", $cbc50, false, "", "", "speed", ""]);
@@ -8413,14 +10169,17 @@ const $c158e = $made(Entry, $cc442, ["cord_pitch", $c2854, false, "", "", "cord_
 const $ce1b5 = $made(Limit, $cf70d, ["mass_per_length", 0.0, 1000000.0, true, false]);
 const $c8beb = $made(Quantity, $cd20a, ["mass_per_length", $ce1b5]);
 const $cea14 = $made(Entry, $cc442, ["mass", $c8beb, false, "", "", "mass", ""]);
+const $c7d9a = $made(Limit, $cf70d, ["number", 0.0, 1.0, false, false]);
+const $cf7b4 = $made(Percent, $c7fcc, ["number", $c7d9a, 1.0]);
+const $c7c25 = $made(ByName, $cf6b7, [$cf7b4, 200]);
+const $c3a33 = $made(Entry, $cc442, ["uncertainty", $c7c25, false, "", "", "uncertainty", ""]);
 const $c69c3 = $made(Entry, $cc442, ["provenance", $cc542, false, "", "", "provenance", ""]);
 const $c0309 = $made(ByName, $cf6b7, [$cc542, 200]);
 const $c9b00 = $made(Entry, $cc442, ["sources", $c0309, false, "", "", "sources", ""]);
-const $c75bc = [$c3ef1, $c801a, $c7e52, $cd329, $c0833, $cb059, $c8c7e, $c2745, $c5eeb, $cfe48, $c87e9, $c4ee8, $cc066, $c6210, $cc24c, $c91f6, $c182a, $c9939, $c158e, $cea14, $c69c3, $c9b00];
-const $c87a7 = new Map([["preset", $c3ef1], ["name", $c801a], ["kind", $c7e52], ["width", $cd329], ["modulus", $c0833], ["rating", $cb059], ["strength", $c8c7e], ["speed", $c2745], ["momentary_factor", $c5eeb], ["least_pulley_diameter", $cfe48], ["largest_wrap_pressure", $c87e9], ["in_plane_shear_stiffness", $c4ee8], ["pulley_cover", $cc066], ["carry_cover", $c6210], ["carcass", $cc24c], ["thickness", $c91f6], ["cover_shear_modulus", $c182a], ["cord_diameter", $c9939], ["cord_pitch", $c158e], ["mass", $cea14], ["provenance", $c69c3], ["sources", $c9b00]]);
+const $c75bc = [$c3ef1, $c801a, $c7e52, $cd329, $c0833, $cb156, $cb059, $c8c7e, $cd900, $c34a0, $c2745, $c5eeb, $cfe48, $c87e9, $c4ee8, $cc066, $c6210, $cc24c, $c91f6, $c182a, $c9939, $c158e, $cea14, $c3a33, $c69c3, $c9b00];
+const $c87a7 = new Map([["preset", $c3ef1], ["name", $c801a], ["kind", $c7e52], ["width", $cd329], ["modulus", $c0833], ["elongation", $cb156], ["rating", $cb059], ["strength", $c8c7e], ["modulus_test", $cd900], ["modulus_loads", $c34a0], ["speed", $c2745], ["momentary_factor", $c5eeb], ["least_pulley_diameter", $cfe48], ["largest_wrap_pressure", $c87e9], ["in_plane_shear_stiffness", $c4ee8], ["pulley_cover", $cc066], ["carry_cover", $c6210], ["carcass", $cc24c], ["thickness", $c91f6], ["cover_shear_modulus", $c182a], ["cord_diameter", $c9939], ["cord_pitch", $c158e], ["mass", $cea14], ["uncertainty", $c3a33], ["provenance", $c69c3], ["sources", $c9b00]]);
 const $c808d = $made(tables$Table, $c38db, [Belt, null, $c75bc, $c87a7]);
 const $cfe86 = $made(Entry, $cc442, ["belt", $c808d, true, "", "a [belt] table", "belt", ""]);
-const $ce552 = ["kind", "least", "most"];
 const $c8d5c = $made(Name, $c4a10, [60]);
 const $c0948 = $made(Entry, $cc442, ["name", $c8d5c, true, "", "name = \"head\"", "name", ""]);
 const $cd632 = $made(Limit, $cf70d, ["length", 0.001, 1000.0, false, false]);
@@ -8430,30 +10189,30 @@ const $c1cfe = $made(Limit, $cf70d, ["angle", 0.017453292519943295, 12.566370614
 const $c8a05 = $made(Quantity, $cd20a, ["angle", $c1cfe]);
 const $ce003 = $made(Entry, $cc442, ["wrap_angle", $c8a05, true, "wrap", "", "wrap_angle", "belt_path"]);
 const $c9b84 = $made(Limit, $cf70d, ["length", -100000.0, 100000.0, false, false]);
-const $c6068 = $made(Quantity, $cd20a, ["length", $c9b84]);
-const $c01e4 = $made(Entry, $cc442, ["x", $c6068, true, "", "", "x", ""]);
-const $c28be = $made(Quantity, $cd20a, ["length", $c9b84]);
-const $c362f = $made(Entry, $cc442, ["y", $c28be, true, "", "", "y", ""]);
+const $c34e8 = $made(Quantity, $cd20a, ["length", $c9b84]);
+const $c36c0 = $made(Entry, $cc442, ["x", $c34e8, true, "", "", "x", ""]);
+const $cb660 = $made(Quantity, $cd20a, ["length", $c9b84]);
+const $c04f3 = $made(Entry, $cc442, ["y", $cb660, true, "", "", "y", ""]);
 const $c6dc1 = ["clockwise", "counterclockwise"];
-const $c657c = new Map([]);
-const $c2da0 = $made(Choice, $c322f, [$c6dc1, $c657c]);
-const $c464f = $made(Entry, $cc442, ["turn", $c2da0, false, "", "", "turn", ""]);
-const $c2693 = $made(Quantity, $cd20a, ["length", $c9b84]);
-const $ca4db = $made(Entry, $cc442, ["x", $c2693, true, "", "", "x", ""]);
-const $c580c = $made(Quantity, $cd20a, ["length", $c9b84]);
-const $c886d = $made(Entry, $cc442, ["y", $c580c, true, "", "", "y", ""]);
-const $cdca4 = $made(Limit, $cf70d, ["length", 0.0, 1000.0, false, false]);
-const $c4bb5 = $made(Quantity, $cd20a, ["length", $cdca4]);
-const $c2786 = $made(Entry, $cc442, ["diameter", $c4bb5, false, "", "", "diameter", ""]);
-const $cdfe4 = [$ca4db, $c886d, $c2786, $c464f];
-const $cc387 = new Map([["x", $ca4db], ["y", $c886d], ["diameter", $c2786], ["turn", $c464f]]);
-const $c3776 = $made(tables$Table, $c38db, [Point, null, $cdfe4, $cc387]);
-const $c1983 = $made(Entry, $cc442, ["before", $c3776, true, "", "a table with x and y", "before", ""]);
-const $c9f5a = $made(Entry, $cc442, ["after", $c3776, true, "", "a table with x and y", "after", ""]);
-const $cc9fe = [$c01e4, $c362f, $c464f, $c1983, $c9f5a];
-const $cefea = new Map([["x", $c01e4], ["y", $c362f], ["turn", $c464f], ["before", $c1983], ["after", $c9f5a]]);
-const $c6bd9 = $made(tables$Table, $c38db, [Point, null, $cc9fe, $cefea]);
-const $c65eb = $made(Entry, $cc442, ["belt_path", $c6bd9, false, "", "", "belt_path", ""]);
+const $c8698 = new Map([]);
+const $c5a261 = $made(Choice, $c322f, [$c6dc1, $c8698]);
+const $c3629 = $made(Entry, $cc442, ["turn", $c5a261, false, "", "", "turn", ""]);
+const $c250c = $made(Quantity, $cd20a, ["length", $c9b84]);
+const $c0cdc = $made(Entry, $cc442, ["x", $c250c, true, "", "", "x", ""]);
+const $cfc14 = $made(Quantity, $cd20a, ["length", $c9b84]);
+const $c030d = $made(Entry, $cc442, ["y", $cfc14, true, "", "", "y", ""]);
+const $c3de9 = $made(Limit, $cf70d, ["length", 0.0, 1000.0, false, false]);
+const $cc5e2 = $made(Quantity, $cd20a, ["length", $c3de9]);
+const $c08a4 = $made(Entry, $cc442, ["diameter", $cc5e2, false, "", "", "diameter", ""]);
+const $c9465 = [$c0cdc, $c030d, $c08a4, $c3629];
+const $c3c72 = new Map([["x", $c0cdc], ["y", $c030d], ["diameter", $c08a4], ["turn", $c3629]]);
+const $c59ff = $made(tables$Table, $c38db, [Point, null, $c9465, $c3c72]);
+const $c0652 = $made(Entry, $cc442, ["before", $c59ff, true, "", "a table with x and y", "before", ""]);
+const $c1a06 = $made(Entry, $cc442, ["after", $c59ff, true, "", "a table with x and y", "after", ""]);
+const $c530a = [$c36c0, $c04f3, $c3629, $c0652, $c1a06];
+const $cd928 = new Map([["x", $c36c0], ["y", $c04f3], ["turn", $c3629], ["before", $c0652], ["after", $c1a06]]);
+const $c30aa = $made(tables$Table, $c38db, [Point, null, $c530a, $cd928]);
+const $c65eb = $made(Entry, $cc442, ["belt_path", $c30aa, false, "", "", "belt_path", ""]);
 const $c0ecb = $made(Name, $c4a10, [500]);
 const $c8cae = $made(Name, $c4a10, [500]);
 const $cfab4 = $made(Entry, $cc442, ["preset", $c8cae, false, "", "", "preset", ""]);
@@ -8564,8 +10323,8 @@ const $c2c4e = $made(Entry, $cc442, ["parameters", $c6426, true, "", "", "parame
 const $c8780 = $made(Rows, $ce552, [$c72ba, 1, 1000]);
 const $c13d7 = $made(Entry, $cc442, ["values", $c8780, true, "", "", "values", ""]);
 const $c063f = $made(Rows, $ce552, [$c72ba, 1, 1000]);
-const $c63caa = $made(Rows, $ce552, [$c063f, 1, 1000]);
-const $c6869 = $made(Entry, $cc442, ["covariance", $c63caa, true, "", "", "covariance", ""]);
+const $c63caa2 = $made(Rows, $ce552, [$c063f, 1, 1000]);
+const $c6869 = $made(Entry, $cc442, ["covariance", $c63caa2, true, "", "", "covariance", ""]);
 const $ca894 = $made(Limit, $cf70d, ["number", 0.0, Infinity, false, false]);
 const $c378e = $made(Quantity, $cd20a, ["number", $ca894]);
 const $c1e1b = $made(Entry, $cc442, ["residual_noise", $c378e, false, "", "", "residual_noise", ""]);
@@ -8708,9 +10467,13 @@ const $c6696 = new Map([["integral-log", $c5f9b], ["constant", $cacce], ["elasti
 const $c4eae = $made(Variant, $c3ebe, ["kind", $c6696]);
 const $c2815 = $made(OneOrMore, $cf6b7, [$c4eae, 50]);
 const $c8818 = $made(Entry, $cc442, ["law", $c2815, false, "", "", "law", ""]);
+const $c153b = $made(Limit, $cf70d, ["number", 0.0, 1.0, false, false]);
+const $c6b9b = $made(Percent, $c7fcc, ["number", $c153b, 1.0]);
+const $c2685 = $made(ByName, $cf6b7, [$c6b9b, 200]);
+const $c5c71 = $made(Entry, $cc442, ["uncertainty", $c2685, false, "", "", "uncertainty", ""]);
 const $c0a9d = $made(Entry, $cc442, ["notes", $cf44f, false, "", "", "notes", ""]);
-const $c82fd = [$cfab4, $c7e8f, $cd66f, $cc3a1, $c5462, $ca06f, $c99bb, $c3ae4, $c3f7b, $c29e5, $c2d43, $c3692, $c1d96, $c9f8f, $c03097, $c2480, $c2fb3, $c7315, $c8818, $c69c3, $c9b00, $c0a9d];
-const $c854f = new Map([["preset", $cfab4], ["name", $c7e8f], ["title", $cd66f], ["description", $cc3a1], ["surface", $c5462], ["thickness", $ca06f], ["elastic_modulus", $c99bb], ["shear_modulus", $c3ae4], ["compression_modulus", $c3f7b], ["block", $c29e5], ["wear_coefficient", $c2d43], ["belt_energy_share", $c3692], ["bond_strength", $c1d96], ["fatigue_limit", $c9f8f], ["cost", $c03097], ["slip_speed", $c2480], ["temperature", $c2fb3], ["condition_factor", $c7315], ["law", $c8818], ["provenance", $c69c3], ["sources", $c9b00], ["notes", $c0a9d]]);
+const $c82fd = [$cfab4, $c7e8f, $cd66f, $cc3a1, $c5462, $ca06f, $c99bb, $c3ae4, $c3f7b, $c29e5, $c2d43, $c3692, $c1d96, $c9f8f, $c03097, $c2480, $c2fb3, $c7315, $c8818, $c5c71, $c69c3, $c9b00, $c0a9d];
+const $c854f = new Map([["preset", $cfab4], ["name", $c7e8f], ["title", $cd66f], ["description", $cc3a1], ["surface", $c5462], ["thickness", $ca06f], ["elastic_modulus", $c99bb], ["shear_modulus", $c3ae4], ["compression_modulus", $c3f7b], ["block", $c29e5], ["wear_coefficient", $c2d43], ["belt_energy_share", $c3692], ["bond_strength", $c1d96], ["fatigue_limit", $c9f8f], ["cost", $c03097], ["slip_speed", $c2480], ["temperature", $c2fb3], ["condition_factor", $c7315], ["law", $c8818], ["uncertainty", $c5c71], ["provenance", $c69c3], ["sources", $c9b00], ["notes", $c0a9d]]);
 const $c74dd = $made(tables$Table, $c38db, [Lagging, null, $c82fd, $c854f]);
 const $c213c = $made(TextOr, $cea31, [$c0ecb, $c74dd]);
 const $c29a1 = $made(Entry, $cc442, ["lagging", $c213c, true, "", "lagging = \"diamond-rubber\"", "lagging", ""]);
@@ -8721,8 +10484,8 @@ const $c65de = $made(Entry, $cc442, ["entry_tension", $c0765, false, "", "", "en
 const $c5335 = $made(Entry, $cc442, ["exit_tension", $c0765, false, "", "", "exit_tension", ""]);
 const $c649b = $made(Quantity, $cd20a, ["force", null]);
 const $c66ac = $made(Entry, $cc442, ["effective_tension", $c649b, false, "", "", "effective_tension", ""]);
-const $c60ad = $made(Quantity, $cd20a, ["torque", null]);
-const $c6209 = $made(Entry, $cc442, ["torque", $c60ad, false, "", "", "torque", ""]);
+const $c60ad7 = $made(Quantity, $cd20a, ["torque", null]);
+const $c6209 = $made(Entry, $cc442, ["torque", $c60ad7, false, "", "", "torque", ""]);
 const $cf058 = $made(Quantity, $cd20a, ["power", null]);
 const $c012a = $made(Entry, $cc442, ["power", $cf058, false, "", "", "power", ""]);
 const $cd18d = $made(Limit, $cf70d, ["length", -1.0, 1.0, false, false]);
@@ -8890,17 +10653,21 @@ const $cb035 = [$c4834, $cb05f, $ca521, $ca5e0, $c2af9, $c4f67, $c62d1, $cc60d, 
 const $c0207 = new Map([["shell_profile", $c4834], ["worn_depth", $cb05f], ["build_up", $ca521], ["misalignment", $ca5e0], ["deflection", $c2af9], ["entry_profile", $c4f67], ["before", $c62d1], ["after", $cc60d], ["strips", $c1b7e]]);
 const $c7a37 = $made(tables$Table, $c38db, [Across, null, $cb035, $c0207]);
 const $c152a = $made(Entry, $cc442, ["across", $c7a37, false, "", "", "across", ""]);
+const $ce50a = $made(Limit, $cf70d, ["number", 0.0, 1.0, false, false]);
+const $c4ff0 = $made(Percent, $c7fcc, ["number", $ce50a, 1.0]);
+const $c5f05 = $made(ByName, $cf6b7, [$c4ff0, 200]);
+const $ccdce = $made(Entry, $cc442, ["uncertainty", $c5f05, false, "", "", "uncertainty", ""]);
 const $ce5d6 = $made(ByName, $cf6b7, [$cc542, 200]);
 const $c480f = $made(Entry, $cc442, ["sources", $ce5d6, false, "", "", "sources", ""]);
-const $c06ce = [$c0948, $c75c1, $ce003, $c65eb, $c29a1, $c4ee1, $c65de, $c5335, $c66ac, $c6209, $c012a, $c2929, $cd03d, $c2278, $ce358, $cb6e8, $c152a, $c480f];
-const $c2aac = new Map([["name", $c0948], ["diameter", $c75c1], ["wrap_angle", $ce003], ["belt_path", $c65eb], ["lagging", $c29a1], ["condition", $c4ee1], ["entry_tension", $c65de], ["exit_tension", $c5335], ["effective_tension", $c66ac], ["torque", $c6209], ["power", $c012a], ["overrun", $c2929], ["recovery", $cd03d], ["creep_limit", $c2278], ["side", $ce358], ["mass", $cb6e8], ["across", $c152a], ["sources", $c480f]]);
+const $c06ce = [$c0948, $c75c1, $ce003, $c65eb, $c29a1, $c4ee1, $c65de, $c5335, $c66ac, $c6209, $c012a, $c2929, $cd03d, $c2278, $ce358, $cb6e8, $c152a, $ccdce, $c480f];
+const $c2aac = new Map([["name", $c0948], ["diameter", $c75c1], ["wrap_angle", $ce003], ["belt_path", $c65eb], ["lagging", $c29a1], ["condition", $c4ee1], ["entry_tension", $c65de], ["exit_tension", $c5335], ["effective_tension", $c66ac], ["torque", $c6209], ["power", $c012a], ["overrun", $c2929], ["recovery", $cd03d], ["creep_limit", $c2278], ["side", $ce358], ["mass", $cb6e8], ["across", $c152a], ["uncertainty", $ccdce], ["sources", $c480f]]);
 const $c706c = $made(tables$Table, $c38db, [Pulley, null, $c06ce, $c2aac]);
 const $cb00b = $made(Rows, $ce552, [$c706c, 1, 10]);
 const $c2dd7 = $made(Entry, $cc442, ["pulley", $cb00b, true, "", "a [[pulley]] table for each pulley", "pulley", ""]);
 const $cffc2 = $made(ByName, $cf6b7, [$c74dd, 200]);
 const $c141c = $made(Entry, $cc442, ["lagging", $cffc2, false, "", "", "lagging", ""]);
 const $c51b7 = ["entry_tension", "exit_tension", "effective_tension", "torque", "power"];
-const $ca636 = new Misplaced($c51b7, "tensions of a load case belong to its pulleys", "Write pulley.NAME.{key}.");
+const $ca636 = new Misplaced($c51b7, "tensions of a load case belong to its pulleys", "Write pulley.NAME.{key} in the load case.", "pulley");
 const $cb134 = $made(Name, $c4a10, [60]);
 const $ceb06 = $made(Entry, $cc442, ["name", $cb134, true, "", "name = \"start\"", "name", ""]);
 const $c5d1d = $made(Text, $ceae0, [1000, true]);
@@ -8910,8 +10677,12 @@ const $c87d8 = new Map([["stopping", "braking"]]);
 const $cd051 = $made(Choice, $c322f, [$c93f5, $c87d8]);
 const $c8d03 = $made(Entry, $cc442, ["kind", $cd051, false, "", "", "kind", ""]);
 const $cd64e = $made(Entry, $cc442, ["condition", $c6e45, false, "", "", "condition", ""]);
-const $c3230 = [$c65de, $c5335, $c66ac, $c6209, $c012a];
-const $c3c73 = new Map([["entry_tension", $c65de], ["exit_tension", $c5335], ["effective_tension", $c66ac], ["torque", $c6209], ["power", $c012a]]);
+const $ce811 = $made(Limit, $cf70d, ["number", 0.0, 1.0, false, false]);
+const $cb68f = $made(Percent, $c7fcc, ["number", $ce811, 1.0]);
+const $c7d78 = $made(ByName, $cf6b7, [$cb68f, 200]);
+const $cfa13 = $made(Entry, $cc442, ["uncertainty", $c7d78, false, "", "", "uncertainty", ""]);
+const $c3230 = [$c65de, $c5335, $c66ac, $c6209, $c012a, $cfa13];
+const $c3c73 = new Map([["entry_tension", $c65de], ["exit_tension", $c5335], ["effective_tension", $c66ac], ["torque", $c6209], ["power", $c012a], ["uncertainty", $cfa13]]);
 const $c6810 = $made(tables$Table, $c38db, [null, null, $c3230, $c3c73]);
 const $c732c = $made(ByName, $cf6b7, [$c6810, 200]);
 const $c7998 = $made(Entry, $cc442, ["pulley", $c732c, false, "", "", "pulley", ""]);
@@ -8922,65 +10693,311 @@ const $c6166 = new Map([["name", $ceb06], ["description", $c14dd], ["kind", $c8d
 const $c19cf = $made(tables$Table, $c38db, [null, $ca636, $cd494, $c6166]);
 const $c7e6d = $made(Rows, $ce552, [$c19cf, 1, 1000]);
 const $cf53e = $made(Entry, $cc442, ["load_case", $c7e6d, false, "", "", "load_case", ""]);
-const $c2266 = $made(Limit, $cf70d, ["length", 0.0, 100000.0, true, false]);
-const $c5634 = $made(Quantity, $cd20a, ["length", $c2266]);
-const $c0bda = $made(Entry, $cc442, ["length", $c5634, true, "", "length = \"600 m\"", "length", ""]);
-const $c82e7 = $made(Limit, $cf70d, ["length", -5000.0, 5000.0, false, false]);
-const $c7ac1 = $made(Quantity, $cd20a, ["length", $c82e7]);
-const $c8c18 = $made(Entry, $cc442, ["lift", $c7ac1, false, "", "", "lift", ""]);
-const $c54af = $made(Limit, $cf70d, ["mass_per_length", 0.0, 10000.0, true, false]);
-const $ceee3 = $made(Quantity, $cd20a, ["mass_per_length", $c54af]);
-const $c41b1 = $made(Entry, $cc442, ["belt_mass", $ceee3, false, "", "", "belt_mass", ""]);
-const $ca8cb = $made(Limit, $cf70d, ["mass_per_length", 0.0, 10000.0, false, false]);
-const $c7f93 = $made(Quantity, $cd20a, ["mass_per_length", $ca8cb]);
-const $caa61 = $made(Entry, $cc442, ["carry_idler_mass", $c7f93, true, "", "", "carry_idler_mass", ""]);
-const $c207a = $made(Limit, $cf70d, ["mass_per_length", 0.0, 10000.0, false, false]);
-const $c3b70 = $made(Quantity, $cd20a, ["mass_per_length", $c207a]);
-const $c15e4 = $made(Entry, $cc442, ["return_idler_mass", $c3b70, true, "", "", "return_idler_mass", ""]);
-const $ca059 = $made(Quantity, $cd20a, ["mass_per_length", $c54af]);
-const $c063d = $made(Entry, $cc442, ["material_mass", $ca059, false, "", "", "material_mass", ""]);
-const $ccbd2 = $made(Limit, $cf70d, ["mass_flow", 0.0, 100000.0, true, false]);
-const $cfd19 = $made(Quantity, $cd20a, ["mass_flow", $ccbd2]);
-const $cd723 = $made(Entry, $cc442, ["capacity", $cfd19, false, "", "", "capacity", ""]);
-const $c3430 = $made(Limit, $cf70d, ["number", 0.005, 0.1, false, false]);
-const $c2b56 = $made(Quantity, $cd20a, ["number", $c3430]);
-const $c0638 = $made(Entry, $cc442, ["friction_factor", $c2b56, false, "", "", "friction_factor", ""]);
-const $cec54 = $made(Limit, $cf70d, ["number", 1.0, 10.0, false, false]);
-const $c8b68 = $made(Quantity, $cd20a, ["number", $cec54]);
-const $c88c4 = $made(Entry, $cc442, ["length_coefficient", $c8b68, false, "", "", "length_coefficient", ""]);
-const $c4489 = $made(Limit, $cf70d, ["force", 0.0, 100000000.0, false, false]);
-const $c466c = $made(Quantity, $cd20a, ["force", $c4489]);
-const $c1f89 = $made(Entry, $cc442, ["secondary_resistance", $c466c, false, "", "", "secondary_resistance", ""]);
-const $c30d4 = $made(Quantity, $cd20a, ["force", $c4489]);
-const $c7f2c = $made(Entry, $cc442, ["special_resistance", $c30d4, false, "", "", "special_resistance", ""]);
-const $cb01c = $made(Limit, $cf70d, ["number", 0.0, 1.0, false, false]);
-const $c0643 = $made(Quantity, $cd20a, ["number", $cb01c]);
-const $c7693 = $made(Entry, $cc442, ["return_share", $c0643, false, "", "", "return_share", ""]);
-const $c3524 = $made(Limit, $cf70d, ["number", 1.0, 5.0, false, false]);
-const $c6975 = $made(Quantity, $cd20a, ["number", $c3524]);
-const $cb800 = $made(Entry, $cc442, ["start_factor", $c6975, false, "", "", "start_factor", ""]);
-const $c267d = $made(Limit, $cf70d, ["time", 0.0, 3600.0, true, false]);
-const $ce87d = $made(Quantity, $cd20a, ["time", $c267d]);
-const $ce950 = $made(Entry, $cc442, ["start_time", $ce87d, false, "", "", "start_time", ""]);
-const $c16ad = $made(Quantity, $cd20a, ["time", $c267d]);
-const $c88d6 = $made(Entry, $cc442, ["stop_time", $c16ad, false, "", "", "stop_time", ""]);
-const $cc768 = $made(Limit, $cf70d, ["force", 0.0, 100000000.0, true, false]);
-const $c9a6d = $made(Quantity, $cd20a, ["force", $cc768]);
-const $ca692 = $made(Entry, $cc442, ["take_up_tension", $c9a6d, false, "", "", "take_up_tension", ""]);
-const $c5869 = $made(Limit, $cf70d, ["mass", 0.0, 10000000.0, true, false]);
-const $cd9cf = $made(Quantity, $cd20a, ["mass", $c5869]);
-const $ca3dc = $made(Entry, $cc442, ["counterweight", $cd9cf, false, "", "", "counterweight", ""]);
-const $cb6bd = $made(Limit, $cf70d, ["length", 0.0, 100000.0, false, false]);
-const $c3dfe = $made(Quantity, $cd20a, ["length", $cb6bd]);
-const $c06b1 = $made(Entry, $cc442, ["take_up_distance", $c3dfe, false, "", "", "take_up_distance", ""]);
+const $c43da = $made(Limit, $cf70d, ["length", 0.0, 100000.0, true, false]);
+const $c92fc = $made(Quantity, $cd20a, ["length", $c43da]);
+const $c4d7c = $made(Entry, $cc442, ["length", $c92fc, true, "", "length = \"600 m\"", "length", "flight"]);
+const $cb699 = $made(Limit, $cf70d, ["length", -5000.0, 5000.0, false, false]);
+const $c6ee6 = $made(Quantity, $cd20a, ["length", $cb699]);
+const $c012e = $made(Entry, $cc442, ["lift", $c6ee6, false, "", "", "lift", ""]);
+const $cd830 = $made(Limit, $cf70d, ["mass_per_length", 0.0, 10000.0, true, false]);
+const $c117d = $made(Quantity, $cd20a, ["mass_per_length", $cd830]);
+const $c44a9 = $made(Entry, $cc442, ["belt_mass", $c117d, false, "", "", "belt_mass", ""]);
+const $cd2f7 = $made(Limit, $cf70d, ["mass_per_length", 0.0, 10000.0, false, false]);
+const $c5673 = $made(Quantity, $cd20a, ["mass_per_length", $cd2f7]);
+const $caadb = $made(Entry, $cc442, ["carry_idler_mass", $c5673, true, "", "", "carry_idler_mass", ""]);
+const $caf1b = $made(Limit, $cf70d, ["mass_per_length", 0.0, 10000.0, false, false]);
+const $c5248 = $made(Quantity, $cd20a, ["mass_per_length", $caf1b]);
+const $c5841 = $made(Entry, $cc442, ["return_idler_mass", $c5248, true, "", "", "return_idler_mass", ""]);
+const $c4a16 = $made(Quantity, $cd20a, ["mass_per_length", $cd830]);
+const $cd1cc = $made(Entry, $cc442, ["material_mass", $c4a16, false, "", "", "material_mass", ""]);
+const $c7957 = $made(Limit, $cf70d, ["mass_flow", 0.0, 100000.0, true, false]);
+const $c3ec4 = $made(Quantity, $cd20a, ["mass_flow", $c7957]);
+const $c8f62 = $made(Entry, $cc442, ["capacity", $c3ec4, false, "", "", "capacity", ""]);
+const $c66b2 = $made(Limit, $cf70d, ["number", 0.005, 0.1, false, false]);
+const $c71aa = $made(Quantity, $cd20a, ["number", $c66b2]);
+const $c8f63 = $made(Entry, $cc442, ["friction_factor", $c71aa, false, "", "", "friction_factor", ""]);
+const $c0af8 = $made(Limit, $cf70d, ["number", 1.0, 10.0, false, false]);
+const $c9fce = $made(Quantity, $cd20a, ["number", $c0af8]);
+const $cd4f6 = $made(Entry, $cc442, ["length_coefficient", $c9fce, false, "", "", "length_coefficient", ""]);
+const $c05e0 = $made(Limit, $cf70d, ["force", 0.0, 100000000.0, false, false]);
+const $c85d7 = $made(Quantity, $cd20a, ["force", $c05e0]);
+const $c6302 = $made(Entry, $cc442, ["secondary_resistance", $c85d7, false, "", "", "secondary_resistance", ""]);
+const $c0a2c = $made(Quantity, $cd20a, ["force", $c05e0]);
+const $c1d8e = $made(Entry, $cc442, ["special_resistance", $c0a2c, false, "", "", "special_resistance", ""]);
+const $caaf2 = $made(Limit, $cf70d, ["number", 0.0, 1.0, false, false]);
+const $c498e = $made(Quantity, $cd20a, ["number", $caaf2]);
+const $c2d7e = $made(Entry, $cc442, ["return_share", $c498e, false, "", "", "return_share", ""]);
+const $c6d8e = $made(Limit, $cf70d, ["number", 1.0, 5.0, false, false]);
+const $c6710 = $made(Quantity, $cd20a, ["number", $c6d8e]);
+const $cbc42 = $made(Entry, $cc442, ["start_factor", $c6710, false, "", "", "start_factor", ""]);
+const $c9c97 = $made(Limit, $cf70d, ["time", 0.0, 3600.0, true, false]);
+const $c0fee = $made(Quantity, $cd20a, ["time", $c9c97]);
+const $c96e1 = $made(Entry, $cc442, ["start_time", $c0fee, false, "", "", "start_time", ""]);
+const $c1474 = $made(Quantity, $cd20a, ["time", $c9c97]);
+const $ca937 = $made(Entry, $cc442, ["stop_time", $c1474, false, "", "", "stop_time", ""]);
+const $ca33b = $made(Limit, $cf70d, ["force", 0.0, 100000000.0, true, false]);
+const $cd5a6 = $made(Quantity, $cd20a, ["force", $ca33b]);
+const $c95e5 = $made(Entry, $cc442, ["take_up_tension", $cd5a6, false, "", "", "take_up_tension", ""]);
+const $caef3 = $made(Limit, $cf70d, ["mass", 0.0, 10000000.0, true, false]);
+const $c83e7 = $made(Quantity, $cd20a, ["mass", $caef3]);
+const $c29bc = $made(Entry, $cc442, ["counterweight", $c83e7, false, "", "", "counterweight", ""]);
+const $c592c = $made(Limit, $cf70d, ["length", 0.0, 100000.0, false, false]);
+const $ca269 = $made(Quantity, $cd20a, ["length", $c592c]);
+const $cc043 = $made(Entry, $cc442, ["take_up_distance", $ca269, false, "", "", "take_up_distance", ""]);
 const $c6846 = ["head", "tail"];
-const $c315b = new Map([]);
-const $c064b = $made(Choice, $c322f, [$c6846, $c315b]);
-const $c0436 = $made(Entry, $cc442, ["drive_at", $c064b, false, "", "", "drive_at", ""]);
-const $cad59 = [$c0bda, $c8c18, $c41b1, $caa61, $c15e4, $c063d, $cd723, $c0638, $c88c4, $c1f89, $c7f2c, $c7693, $cb800, $ce950, $c88d6, $ca692, $ca3dc, $c06b1, $c0436];
-const $c2ccd = new Map([["length", $c0bda], ["lift", $c8c18], ["belt_mass", $c41b1], ["carry_idler_mass", $caa61], ["return_idler_mass", $c15e4], ["material_mass", $c063d], ["capacity", $cd723], ["friction_factor", $c0638], ["length_coefficient", $c88c4], ["secondary_resistance", $c1f89], ["special_resistance", $c7f2c], ["return_share", $c7693], ["start_factor", $cb800], ["start_time", $ce950], ["stop_time", $c88d6], ["take_up_tension", $ca692], ["counterweight", $ca3dc], ["take_up_distance", $c06b1], ["drive_at", $c0436]]);
-const $ce84a = $made(tables$Table, $c38db, [Conveyor, null, $cad59, $c2ccd]);
-const $c8364 = $made(Entry, $cc442, ["conveyor", $ce84a, false, "", "", "conveyor", ""]);
+const $c4e4c = new Map([]);
+const $cd972 = $made(Choice, $c322f, [$c6846, $c4e4c]);
+const $cd465 = $made(Entry, $cc442, ["drive_at", $cd972, false, "", "", "drive_at", ""]);
+const $cc382 = $made(Limit, $cf70d, ["length", 0.0, 100.0, true, false]);
+const $c46da = $made(Quantity, $cd20a, ["length", $cc382]);
+const $c70af = $made(Entry, $cc442, ["carry_spacing", $c46da, false, "", "", "carry_spacing", ""]);
+const $c81f1 = $made(Quantity, $cd20a, ["length", $cc382]);
+const $ce949 = $made(Entry, $cc442, ["return_spacing", $c81f1, false, "", "", "return_spacing", ""]);
+const $cdf72 = $made(Limit, $cf70d, ["number", 0.0, 0.1, true, false]);
+const $caf98 = $made(Quantity, $cd20a, ["number", $cdf72]);
+const $c5148 = $made(Entry, $cc442, ["sag_limit", $caf98, false, "", "", "sag_limit", ""]);
+const $cd5b3 = $made(Limit, $cf70d, ["number", 0.0, 1.0, false, false]);
+const $c8901 = $made(Quantity, $cd20a, ["number", $cd5b3]);
+const $c2460 = $made(Entry, $cc442, ["rest_friction", $c8901, false, "", "", "rest_friction", ""]);
+const $cdae3 = $made(Name, $c4a10, [60]);
+const $cf953 = $made(Entry, $cc442, ["name", $cdae3, true, "", "", "name", ""]);
+const $caa2d = $made(Limit, $cf70d, ["length", 0.0, 100000.0, true, false]);
+const $c0468 = $made(Quantity, $cd20a, ["length", $caa2d]);
+const $cdb64 = $made(Entry, $cc442, ["length", $c0468, true, "", "length = \"600 m\"", "length", ""]);
+const $c4521 = $made(Limit, $cf70d, ["length", -5000.0, 5000.0, false, false]);
+const $c13ba = $made(Quantity, $cd20a, ["length", $c4521]);
+const $c121b = $made(Entry, $cc442, ["lift", $c13ba, false, "", "", "lift", ""]);
+const $caf42 = $made(Limit, $cf70d, ["angle", -1.0, 1.0, false, false]);
+const $c2d34 = $made(Slope, $cd20a, ["angle", $caf42]);
+const $c1f79 = $made(Entry, $cc442, ["slope", $c2d34, false, "", "", "slope", ""]);
+const $c60fa = $made(Limit, $cf70d, ["length", 0.0, 1000000.0, true, false]);
+const $c526e = $made(Quantity, $cd20a, ["length", $c60fa]);
+const $c09ec = $made(Entry, $cc442, ["curve_radius", $c526e, false, "", "", "curve_radius", ""]);
+const $c2c94 = $made(Limit, $cf70d, ["number", 0.005, 0.1, false, false]);
+const $cb1564 = $made(Quantity, $cd20a, ["number", $c2c94]);
+const $c4c26 = $made(Entry, $cc442, ["friction_factor", $cb1564, false, "", "", "friction_factor", ""]);
+const $ce405 = $made(Limit, $cf70d, ["mass_per_length", 0.0, 10000.0, false, false]);
+const $c5461 = $made(Quantity, $cd20a, ["mass_per_length", $ce405]);
+const $cc8b5 = $made(Entry, $cc442, ["carry_idler_mass", $c5461, false, "", "", "carry_idler_mass", ""]);
+const $ca04a = $made(Quantity, $cd20a, ["mass_per_length", $ce405]);
+const $c3f56 = $made(Entry, $cc442, ["return_idler_mass", $ca04a, false, "", "", "return_idler_mass", ""]);
+const $c3412 = $made(Limit, $cf70d, ["length", 0.0, 100.0, true, false]);
+const $cdeac = $made(Quantity, $cd20a, ["length", $c3412]);
+const $cfed4 = $made(Entry, $cc442, ["carry_spacing", $cdeac, false, "", "", "carry_spacing", ""]);
+const $cd47a = $made(Quantity, $cd20a, ["length", $c3412]);
+const $c2e03 = $made(Entry, $cc442, ["return_spacing", $cd47a, false, "", "", "return_spacing", ""]);
+const $c6266 = [$cf953, $cdb64, $c121b, $c1f79, $c09ec, $c4c26, $cc8b5, $c3f56, $cfed4, $c2e03];
+const $cac44 = new Map([["name", $cf953], ["length", $cdb64], ["lift", $c121b], ["slope", $c1f79], ["curve_radius", $c09ec], ["friction_factor", $c4c26], ["carry_idler_mass", $cc8b5], ["return_idler_mass", $c3f56], ["carry_spacing", $cfed4], ["return_spacing", $c2e03]]);
+const $c1b6f = $made(tables$Table, $c38db, [Flight, null, $c6266, $cac44]);
+const $c2900 = $made(Rows, $ce552, [$c1b6f, 1, 100]);
+const $c2aed = $made(Entry, $cc442, ["flight", $c2900, false, "", "", "flights", ""]);
+const $cbdf7 = $made(Name, $c4a10, [60]);
+const $c7ddb = $made(Entry, $cc442, ["name", $cbdf7, true, "", "", "name", ""]);
+const $c92ec = $made(Name, $c4a10, [60]);
+const $cca37 = $made(Entry, $cc442, ["flight", $c92ec, false, "", "", "flight", ""]);
+const $ccabe = $made(Limit, $cf70d, ["length", 0.0, 100000.0, false, false]);
+const $c650b = $made(Quantity, $cd20a, ["length", $ccabe]);
+const $cf130 = $made(Entry, $cc442, ["position", $c650b, false, "", "", "position", ""]);
+const $c4b8f = $made(Limit, $cf70d, ["mass_flow", 0.0, 100000.0, true, false]);
+const $c7b8a = $made(Quantity, $cd20a, ["mass_flow", $c4b8f]);
+const $ca245 = $made(Entry, $cc442, ["capacity", $c7b8a, false, "", "", "capacity", ""]);
+const $c642a = $made(Limit, $cf70d, ["mass_per_length", 0.0, 10000.0, true, false]);
+const $cc70b = $made(Quantity, $cd20a, ["mass_per_length", $c642a]);
+const $ce182 = $made(Entry, $cc442, ["material_mass", $cc70b, false, "", "", "material_mass", ""]);
+const $ca1af = $made(Limit, $cf70d, ["speed", 0.0, 20.0, false, false]);
+const $c2026 = $made(Quantity, $cd20a, ["speed", $ca1af]);
+const $c17fe = $made(Entry, $cc442, ["material_speed", $c2026, false, "", "", "material_speed", ""]);
+const $c6dc5 = $made(Limit, $cf70d, ["length", 0.0, 10.0, true, false]);
+const $cb05fb = $made(Quantity, $cd20a, ["length", $c6dc5]);
+const $c9d25 = $made(Entry, $cc442, ["skirt_width", $cb05fb, false, "", "", "skirt_width", ""]);
+const $c8497 = $made(Quantity, $cd20a, ["length", $c3412]);
+const $c34fd = $made(Entry, $cc442, ["acceleration_length", $c8497, false, "", "", "acceleration_length", ""]);
+const $c3f2d = $made(Limit, $cf70d, ["number", 0.0, 2.0, true, false]);
+const $cc4e9 = $made(Quantity, $cd20a, ["number", $c3f2d]);
+const $ca132 = $made(Entry, $cc442, ["belt_friction", $cc4e9, false, "", "", "belt_friction", ""]);
+const $cccce = $made(Quantity, $cd20a, ["number", $c3f2d]);
+const $cbcfb = $made(Entry, $cc442, ["skirt_friction", $cccce, false, "", "", "skirt_friction", ""]);
+const $c57f6 = $made(Limit, $cf70d, ["density", 0.0, 20000.0, true, false]);
+const $c5c20 = $made(Quantity, $cd20a, ["density", $c57f6]);
+const $c17d4 = $made(Entry, $cc442, ["density", $c5c20, false, "", "", "density", ""]);
+const $cfc60 = [$c7ddb, $cca37, $cf130, $ca245, $ce182, $c17fe, $c9d25, $c34fd, $ca132, $cbcfb, $c17d4];
+const $cd4aa = new Map([["name", $c7ddb], ["flight", $cca37], ["position", $cf130], ["capacity", $ca245], ["material_mass", $ce182], ["material_speed", $c17fe], ["skirt_width", $c9d25], ["acceleration_length", $c34fd], ["belt_friction", $ca132], ["skirt_friction", $cbcfb], ["density", $c17d4]]);
+const $ce67f = $made(tables$Table, $c38db, [LoadingPoint, null, $cfc60, $cd4aa]);
+const $c78a9 = $made(Rows, $ce552, [$ce67f, 1, 20]);
+const $cd674 = $made(Entry, $cc442, ["loading", $c78a9, false, "", "", "loadings", ""]);
+const $c3267 = $made(Name, $c4a10, [60]);
+const $c8b3f = $made(Entry, $cc442, ["name", $c3267, true, "", "", "name", ""]);
+const $c13a9 = $made(LoadedFlights, [], []);
+const $c63ca = $made(Entry, $cc442, ["loaded", $c13a9, false, "", "", "loaded", ""]);
+const $c77f1 = $made(Limit, $cf70d, ["number", 0.0, 10.0, false, false]);
+const $cee56 = $made(Quantity, $cd20a, ["number", $c77f1]);
+const $c4a3a = $made(ByName, $cf6b7, [$cee56, 200]);
+const $cc567 = $made(Entry, $cc442, ["factor", $c4a3a, false, "", "", "factor", ""]);
+const $ccbcd = ["running", "starting", "braking"];
+const $c34eb = new Map([["stopping", "braking"]]);
+const $c4f0e = $made(Choice, $c322f, [$ccbcd, $c34eb]);
+const $c9af3 = $made(Entry, $cc442, ["kind", $c4f0e, false, "", "", "kind", ""]);
+const $cabe7a = [$c8b3f, $c63ca, $cc567, $c9af3];
+const $c7d25 = new Map([["name", $c8b3f], ["loaded", $c63ca], ["factor", $cc567], ["kind", $c9af3]]);
+const $c1695 = $made(tables$Table, $c38db, [ConveyorCase, null, $cabe7a, $c7d25]);
+const $ce11b = $made(Rows, $ce552, [$c1695, 1, 20]);
+const $c1604 = $made(Entry, $cc442, ["load_case", $ce11b, false, "", "", "cases", ""]);
+const $c73be = $made(Name, $c4a10, [60]);
+const $c0371 = $made(Entry, $cc442, ["pulley", $c73be, true, "", "", "pulley", ""]);
+const $ce3f2 = ["head", "tail", "carry", "return"];
+const $c0db3 = new Map([]);
+const $c6b4b = $made(Choice, $c322f, [$ce3f2, $c0db3]);
+const $c98ff = $made(Entry, $cc442, ["at", $c6b4b, false, "", "", "at", ""]);
+const $c37ca = $made(Quantity, $cd20a, ["length", $ccabe]);
+const $c5c50 = $made(Entry, $cc442, ["position", $c37ca, false, "", "", "position", ""]);
+const $c6ee3 = $made(Limit, $cf70d, ["number", -10.0, 10.0, false, false]);
+const $c41cd = $made(Quantity, $cd20a, ["number", $c6ee3]);
+const $ccded = $made(Entry, $cc442, ["brake_share", $c41cd, false, "", "", "brake_share", ""]);
+const $c191a = [$c0371, $c98ff, $c5c50, $ccded];
+const $c3c3f = new Map([["pulley", $c0371], ["at", $c98ff], ["position", $c5c50], ["brake_share", $ccded]]);
+const $cc308 = $made(tables$Table, $c38db, [DrivePlace, null, $c191a, $c3c3f]);
+const $c9131 = $made(Rows, $ce552, [$cc308, 1, 20]);
+const $cb4d0 = $made(Entry, $cc442, ["drive", $c9131, false, "", "", "drives", ""]);
+const $c2d74 = ["pulley"];
+const $c3d23 = new Map([]);
+const $c4a7d = $made(Choice, $c322f, [$c2d74, $c3d23]);
+const $cec12 = $made(Entry, $cc442, ["kind", $c4a7d, true, "", "", "kind", ""]);
+const $cd0e7 = $made(Limit, $cf70d, ["length", 0.0, 100000.0, false, false]);
+const $cee83 = $made(Quantity, $cd20a, ["length", $cd0e7]);
+const $c5667 = $made(Entry, $cc442, ["position", $cee83, false, "", "", "position", ""]);
+const $c874c = $made(Limit, $cf70d, ["length", 0.0, 10.0, true, false]);
+const $c0086 = $made(Quantity, $cd20a, ["length", $c874c]);
+const $c694d = $made(Entry, $cc442, ["diameter", $c0086, true, "", "", "diameter", ""]);
+const $c444b = $made(Limit, $cf70d, ["length", 0.0, 2.0, false, false]);
+const $c91d9 = $made(Quantity, $cd20a, ["length", $c444b]);
+const $cdd0d = $made(Entry, $cc442, ["shaft_diameter", $c91d9, false, "", "", "shaft_diameter", ""]);
+const $ca8c9 = $made(Limit, $cf70d, ["angle", 0.0, 6.283185307179586, true, false]);
+const $c729a = $made(Quantity, $cd20a, ["angle", $ca8c9]);
+const $c01ff = $made(Entry, $cc442, ["wrap_angle", $c729a, false, "", "", "wrap_angle", ""]);
+const $ce3fa9 = $made(Limit, $cf70d, ["mass", 0.0, 100000.0, false, false]);
+const $cf088 = $made(Quantity, $cd20a, ["mass", $ce3fa9]);
+const $c07fd = $made(Entry, $cc442, ["mass", $cf088, false, "", "", "mass", ""]);
+const $c3f3d = $made(Count, $c38c6, [1, 100]);
+const $c2ef4 = $made(Entry, $cc442, ["count", $c3f3d, false, "", "", "count", ""]);
+const $c3d55 = [$cec12, $c98ff, $c5667, $c694d, $cdd0d, $c01ff, $c07fd, $c2ef4];
+const $cbae3 = new Map([["kind", $cec12], ["at", $c98ff], ["position", $c5667], ["diameter", $c694d], ["shaft_diameter", $cdd0d], ["wrap_angle", $c01ff], ["mass", $c07fd], ["count", $c2ef4]]);
+const $c393f = $made(tables$Table, $c38db, [PulleyResistance, null, $c3d55, $cbae3]);
+const $ce0ab = ["cleaner"];
+const $c8777 = new Map([]);
+const $c009c = $made(Choice, $c322f, [$ce0ab, $c8777]);
+const $c8b7c = $made(Entry, $cc442, ["kind", $c009c, true, "", "", "kind", ""]);
+const $c8e86 = $made(Quantity, $cd20a, ["length", $cd0e7]);
+const $c9728 = $made(Entry, $cc442, ["position", $c8e86, false, "", "", "position", ""]);
+const $c46eb = $made(Quantity, $cd20a, ["length", $c874c]);
+const $c41cc = $made(Entry, $cc442, ["width", $c46eb, true, "", "", "width", ""]);
+const $c322b = $made(Quantity, $cd20a, ["length", $c874c]);
+const $cb4c3 = $made(Entry, $cc442, ["thickness", $c322b, true, "", "", "thickness", ""]);
+const $c9a3e = $made(Limit, $cf70d, ["pressure", 0.0, 1000000.0, true, false]);
+const $cfe16 = $made(Quantity, $cd20a, ["pressure", $c9a3e]);
+const $c4fc8 = $made(Entry, $cc442, ["pressure", $cfe16, true, "", "", "pressure", ""]);
+const $ca38a = $made(Limit, $cf70d, ["number", 0.0, 2.0, true, false]);
+const $c476c = $made(Quantity, $cd20a, ["number", $ca38a]);
+const $c090e = $made(Entry, $cc442, ["friction", $c476c, false, "", "", "friction", ""]);
+const $c2325 = [$c8b7c, $c98ff, $c9728, $c41cc, $cb4c3, $c4fc8, $c090e, $c2ef4];
+const $ca13b = new Map([["kind", $c8b7c], ["at", $c98ff], ["position", $c9728], ["width", $c41cc], ["thickness", $cb4c3], ["pressure", $c4fc8], ["friction", $c090e], ["count", $c2ef4]]);
+const $cd9ac = $made(tables$Table, $c38db, [CleanerResistance, null, $c2325, $ca13b]);
+const $c0d48 = ["skirt"];
+const $c4da1 = new Map([]);
+const $cfbdd = $made(Choice, $c322f, [$c0d48, $c4da1]);
+const $c91aa = $made(Entry, $cc442, ["kind", $cfbdd, true, "", "", "kind", ""]);
+const $c8d97 = $made(Quantity, $cd20a, ["length", $cd0e7]);
+const $c6c80 = $made(Entry, $cc442, ["position", $c8d97, false, "", "", "position", ""]);
+const $cb596 = $made(Limit, $cf70d, ["length", 0.0, 10000.0, true, false]);
+const $cfa8d = $made(Quantity, $cd20a, ["length", $cb596]);
+const $cd9e8 = $made(Entry, $cc442, ["length", $cfa8d, true, "", "", "length", ""]);
+const $c92bc = $made(Quantity, $cd20a, ["length", $c874c]);
+const $c08a3 = $made(Entry, $cc442, ["width", $c92bc, true, "", "", "width", ""]);
+const $cf674 = $made(Limit, $cf70d, ["density", 0.0, 20000.0, true, false]);
+const $c6b44 = $made(Quantity, $cd20a, ["density", $cf674]);
+const $cb913 = $made(Entry, $cc442, ["density", $c6b44, true, "", "", "density", ""]);
+const $c8a42 = $made(Quantity, $cd20a, ["number", $ca38a]);
+const $c6b9d = $made(Entry, $cc442, ["friction", $c8a42, false, "", "", "friction", ""]);
+const $c78af = [$c91aa, $c6c80, $cd9e8, $c08a3, $cb913, $c6b9d];
+const $c94b1 = new Map([["kind", $c91aa], ["position", $c6c80], ["length", $cd9e8], ["width", $c08a3], ["density", $cb913], ["friction", $c6b9d]]);
+const $cead1 = $made(tables$Table, $c38db, [SkirtResistance, null, $c78af, $c94b1]);
+const $cb0a6 = ["tilt"];
+const $cd526 = new Map([]);
+const $c3848 = $made(Choice, $c322f, [$cb0a6, $cd526]);
+const $c4326 = $made(Entry, $cc442, ["kind", $c3848, true, "", "", "kind", ""]);
+const $cbe74 = ["carry", "return"];
+const $c55d9 = new Map([]);
+const $c0895 = $made(Choice, $c322f, [$cbe74, $c55d9]);
+const $ceba2 = $made(Entry, $cc442, ["strand", $c0895, false, "", "", "strand", ""]);
+const $c4a8c = $made(Limit, $cf70d, ["angle", 0.0, 0.2, true, false]);
+const $cd894 = $made(Quantity, $cd20a, ["angle", $c4a8c]);
+const $c2ee1 = $made(Entry, $cc442, ["angle", $cd894, true, "", "angle = \"1.5 deg\"", "angle", ""]);
+const $c18d0 = $made(Limit, $cf70d, ["number", 0.0, 1.0, true, false]);
+const $c42b2 = $made(Quantity, $cd20a, ["number", $c18d0]);
+const $cbc51 = $made(Entry, $cc442, ["trough_coefficient", $c42b2, false, "", "", "trough_coefficient", ""]);
+const $c04a0 = $made(Quantity, $cd20a, ["number", $ca38a]);
+const $c7a52 = $made(Entry, $cc442, ["friction", $c04a0, false, "", "", "friction", ""]);
+const $cd945 = $made(Limit, $cf70d, ["length", 0.0, 100000.0, true, false]);
+const $c988e = $made(Quantity, $cd20a, ["length", $cd945]);
+const $c01d2 = $made(Entry, $cc442, ["length", $c988e, false, "", "", "length", ""]);
+const $c150a = [$c4326, $ceba2, $c2ee1, $cbc51, $c7a52, $c01d2];
+const $c100e = new Map([["kind", $c4326], ["strand", $ceba2], ["angle", $c2ee1], ["trough_coefficient", $cbc51], ["friction", $c7a52], ["length", $c01d2]]);
+const $c4dea = $made(tables$Table, $c38db, [TiltResistance, null, $c150a, $c100e]);
+const $c3ff0 = ["force"];
+const $c31b5 = new Map([]);
+const $cea7d = $made(Choice, $c322f, [$c3ff0, $c31b5]);
+const $c3e57 = $made(Entry, $cc442, ["kind", $cea7d, true, "", "", "kind", ""]);
+const $c496f = $made(Quantity, $cd20a, ["length", $cd0e7]);
+const $cd804 = $made(Entry, $cc442, ["position", $c496f, false, "", "", "position", ""]);
+const $cd303 = $made(Limit, $cf70d, ["force", 0.0, 100000000.0, true, false]);
+const $c5c43 = $made(Quantity, $cd20a, ["force", $cd303]);
+const $cd736 = $made(Entry, $cc442, ["force", $c5c43, true, "", "", "force", ""]);
+const $c6dba = [$c3e57, $c98ff, $cd804, $cd736];
+const $cf890 = new Map([["kind", $c3e57], ["at", $c98ff], ["position", $cd804], ["force", $cd736]]);
+const $c85cd = $made(tables$Table, $c38db, [PointResistance, null, $c6dba, $cf890]);
+const $c7920 = new Map([["pulley", $c393f], ["cleaner", $cd9ac], ["skirt", $cead1], ["tilt", $c4dea], ["force", $c85cd]]);
+const $c40f1 = $made(Variant, $c3ebe, ["kind", $c7920]);
+const $c1aa2 = $made(Rows, $ce552, [$c40f1, 1, 100]);
+const $ca3ee = $made(Entry, $cc442, ["resistance", $c1aa2, false, "", "", "locals", ""]);
+const $c2cb0 = $made(Limit, $cf70d, ["number", 0.0, 200.0, false, false]);
+const $cc30c = $made(Quantity, $cd20a, ["number", $c2cb0]);
+const $cb70f = $made(Entry, $cc442, ["temperature_range", $cc30c, false, "", "", "temperature_range", ""]);
+const $c4064 = $made(Limit, $cf70d, ["number", 0.0, 0.001, false, false]);
+const $cf8a2 = $made(Quantity, $cd20a, ["number", $c4064]);
+const $ca048 = $made(Entry, $cc442, ["thermal_expansion", $cf8a2, false, "", "", "thermal_expansion", ""]);
+const $c56d0 = $made(Limit, $cf70d, ["number", 0.0, 0.1, false, false]);
+const $c34da = $made(Quantity, $cd20a, ["number", $c56d0]);
+const $c6fc3 = $made(Entry, $cc442, ["permanent_elongation", $c34da, false, "", "", "permanent_elongation", ""]);
+const $c5ca8 = $made(Limit, $cf70d, ["length", 0.0, 1000.0, false, false]);
+const $ca239 = $made(Quantity, $cd20a, ["length", $c5ca8]);
+const $cf992 = $made(Entry, $cc442, ["splice_length", $ca239, false, "", "", "splice_length", ""]);
+const $c7ff4 = [$cb70f, $ca048, $c6fc3, $cf992];
+const $cc6e4 = new Map([["temperature_range", $cb70f], ["thermal_expansion", $ca048], ["permanent_elongation", $c6fc3], ["splice_length", $cf992]]);
+const $c9244 = $made(tables$Table, $c38db, [Travel, null, $c7ff4, $cc6e4]);
+const $c11fb = $made(Entry, $cc442, ["travel", $c9244, false, "", "", "travel", ""]);
+const $c229c = $made(Limit, $cf70d, ["force", 0.0, 1000.0, true, false]);
+const $c09bc = $made(Quantity, $cd20a, ["force", $c229c]);
+const $c6f26 = $made(Entry, $cc442, ["idler_friction", $c09bc, true, "", "idler_friction = \"1.5 lbf\"", "idler_friction", ""]);
+const $c0173 = $made(Limit, $cf70d, ["number", 1.0, 4.0, false, false]);
+const $c7dbb = $made(Quantity, $cd20a, ["number", $c0173]);
+const $ce0d2 = $made(Entry, $cc442, ["temperature_factor", $c7dbb, false, "", "", "temperature_factor", ""]);
+const $c2c05 = $made(Limit, $cf70d, ["number", 0.0, 0.1, true, false]);
+const $c26b1 = $made(Quantity, $cd20a, ["number", $c2c05]);
+const $c5cc3 = $made(Entry, $cc442, ["ky", $c26b1, true, "", "ky = 0.02", "ky", ""]);
+const $c734c = $made(Limit, $cf70d, ["force", 0.0, 100000000.0, false, false]);
+const $c4cbc = $made(Quantity, $cd20a, ["force", $c734c]);
+const $cce1b = $made(Entry, $cc442, ["other", $c4cbc, false, "", "", "other", ""]);
+const $c90f3 = [$c6f26, $ce0d2, $c5cc3, $cce1b];
+const $c1dcf = new Map([["idler_friction", $c6f26], ["temperature_factor", $ce0d2], ["ky", $c5cc3], ["other", $cce1b]]);
+const $cf8a9 = $made(tables$Table, $c38db, [Cema, null, $c90f3, $c1dcf]);
+const $c4e49 = $made(Entry, $cc442, ["cema", $cf8a9, false, "", "", "cema", ""]);
+const $c54a6 = $made(Limit, $cf70d, ["number", 0.0, 1.0, false, false]);
+const $c44a8 = $made(Percent, $c7fcc, ["number", $c54a6, 1.0]);
+const $ca254 = $made(ByName, $cf6b7, [$c44a8, 200]);
+const $cec6e = $made(Entry, $cc442, ["uncertainty", $ca254, false, "", "", "uncertainty", ""]);
+const $cd25f = [$c4d7c, $c012e, $c44a9, $caadb, $c5841, $cd1cc, $c8f62, $c8f63, $cd4f6, $c6302, $c1d8e, $c2d7e, $cbc42, $c96e1, $ca937, $c95e5, $c29bc, $cc043, $cd465, $c70af, $ce949, $c5148, $c2460, $c2aed, $cd674, $c1604, $cb4d0, $ca3ee, $c11fb, $c4e49, $cec6e];
+const $c7438 = new Map([["length", $c4d7c], ["lift", $c012e], ["belt_mass", $c44a9], ["carry_idler_mass", $caadb], ["return_idler_mass", $c5841], ["material_mass", $cd1cc], ["capacity", $c8f62], ["friction_factor", $c8f63], ["length_coefficient", $cd4f6], ["secondary_resistance", $c6302], ["special_resistance", $c1d8e], ["return_share", $c2d7e], ["start_factor", $cbc42], ["start_time", $c96e1], ["stop_time", $ca937], ["take_up_tension", $c95e5], ["counterweight", $c29bc], ["take_up_distance", $cc043], ["drive_at", $cd465], ["carry_spacing", $c70af], ["return_spacing", $ce949], ["sag_limit", $c5148], ["rest_friction", $c2460], ["flight", $c2aed], ["loading", $cd674], ["load_case", $c1604], ["drive", $cb4d0], ["resistance", $ca3ee], ["travel", $c11fb], ["cema", $c4e49], ["uncertainty", $cec6e]]);
+const $ca5a9 = $made(tables$Table, $c38db, [Conveyor, null, $cd25f, $c7438]);
+const $c8364 = $made(Entry, $cc442, ["conveyor", $ca5a9, false, "", "", "conveyor", ""]);
 const $c9cf4 = ["gravity", "winch", "fixed"];
 const $ce058 = new Map([]);
 const $c0ee3 = $made(Choice, $c322f, [$c9cf4, $ce058]);
@@ -9045,71 +11062,21 @@ const $cfb1c = $made(Elsewhere, [], []);
 const $cf4d4 = $made(Entry, $cc442, ["train", $cfb1c, false, "", "", "train", ""]);
 const $ce9c0 = $made(Elsewhere, [], []);
 const $cb32b = $made(Entry, $cc442, ["motion", $ce9c0, false, "", "", "motion", ""]);
-const $c4e7d = [$cb73a, $c34bd, $ce3f2, $cb10e, $c750b, $cfe86, $c2dd7, $c141c, $cf53e, $c8364, $cdc1c, $c25c2, $cdb8f, $c490f, $c1441, $cf4d4, $cb32b];
-const $c8d19 = new Map([["format", $cb73a], ["title", $c34bd], ["description", $ce3f2], ["creep_limit", $cb10e], ["condition", $c750b], ["belt", $cfe86], ["pulley", $c2dd7], ["lagging", $c141c], ["load_case", $cf53e], ["conveyor", $c8364], ["take_up", $cdc1c], ["design_standard", $c25c2], ["safety_factor", $cdb8f], ["sag", $c490f], ["covered", $c1441], ["train", $cf4d4], ["motion", $cb32b]]);
+const $c17ac = $made(Elsewhere, [], []);
+const $c1e1e = $made(Entry, $cc442, ["learned", $c17ac, false, "", "", "learned", ""]);
+const $c4e7d = [$cb73a, $c34bd, $ce3f29, $cb10e, $c750b, $cfe86, $c2dd7, $c141c, $cf53e, $c8364, $cdc1c, $c25c2, $cdb8f, $c490f, $c1441, $cf4d4, $cb32b, $c1e1e];
+const $c8d19 = new Map([["format", $cb73a], ["title", $c34bd], ["description", $ce3f29], ["creep_limit", $cb10e], ["condition", $c750b], ["belt", $cfe86], ["pulley", $c2dd7], ["lagging", $c141c], ["load_case", $cf53e], ["conveyor", $c8364], ["take_up", $cdc1c], ["design_standard", $c25c2], ["safety_factor", $cdb8f], ["sag", $c490f], ["covered", $c1441], ["train", $cf4d4], ["motion", $cb32b], ["learned", $c1e1e]]);
 const $cca53 = $made(tables$Table, $c38db, [Drive, null, $c4e7d, $c8d19]);
-const $c2628 = ["name", "kind", "modulus", "rating", "least_pulley_diameter", "carcass"];
-const $c2a894 = new Map([["width", $c1da4], ["modulus", $c5a26], ["rating", $c4bc3], ["strength", $c3eaf], ["speed", $c45b0], ["momentary_factor", $cfb5f], ["least_pulley_diameter", $cbc30], ["largest_wrap_pressure", $cf3a1], ["in_plane_shear_stiffness", $cd676], ["pulley_cover", $cbe31], ["carry_cover", $ca3d0], ["carcass", $c9b33], ["thickness", $cbf1f], ["cover_shear_modulus", $c975b], ["cord_diameter", $c7e3d], ["cord_pitch", $c26ab], ["mass", $ce1b5]]);
-const $c2d22 = ["pulley_cover", "carry_cover", "carcass"];
-const $c2f8b = $made(_Nothing, [], []);
-const $ca18b = ["x", "y", "diameter", "turn"];
-const $c2e3c = [10000, "m"];
-const $c68da = [$c2e3c];
-const $c03b4 = ["mm", $c68da];
-const $cc67d = ["kN", []];
-const $ce2c9 = ["kN/m", []];
-const $c6fe9 = [10000, "MPa"];
-const $c76c4 = [$c6fe9];
-const $c0183 = ["kPa", $c76c4];
-const $cb046 = ["kPa/mm", []];
-const $cb323f = ["m/s", []];
-const $c152b = ["deg", []];
-const $c1a85 = ["kW", []];
-const $cd5b6 = ["kN m", []];
-const $c2e60 = ["m2", []];
-const $ca9e4 = ["s", []];
-const $c4129 = ["degC", []];
-const $c48ee = ["1/mm", []];
-const $ce81f = ["mm3/J", []];
-const $c13c5 = [1000000, "MJ/m2"];
-const $cc2e2 = [$c13c5];
-const $c414b = ["J/m2", $cc2e2];
-const $cb45a = [10000, "kW/m2"];
-const $c6402 = [$cb45a];
-const $c0650 = ["W/m2", $c6402];
-const $cad55 = ["rpm", []];
-const $c0dc7 = ["Hz", []];
-const $c3ec9 = ["kg", []];
-const $c9e28 = ["kg/m", []];
-const $c19db = ["t/h", []];
-const $c77e7 = ["kg m2", []];
-const $c8dba = ["", []];
-const $c0579 = new Map([["length", $c03b4], ["force", $cc67d], ["force_per_width", $ce2c9], ["spring_rate", $ce2c9], ["pressure", $c0183], ["pressure_per_length", $cb046], ["speed", $cb323f], ["angle", $c152b], ["power", $c1a85], ["torque", $cd5b6], ["area", $c2e60], ["time", $ca9e4], ["temperature", $c4129], ["per_length", $c48ee], ["wear_coefficient", $ce81f], ["energy_per_area", $c414b], ["power_per_area", $c0650], ["rotation_speed", $cad55], ["frequency", $c0dc7], ["mass", $c3ec9], ["mass_per_length", $c9e28], ["mass_flow", $c19db], ["moment_of_inertia", $c77e7], ["number", $c8dba]]);
-const $c3dc7 = [400, "ft"];
-const $cc9da = [$c3dc7];
-const $ce165 = ["in", $cc9da];
-const $c4fdf = ["lbf", []];
-const $c954e = ["PIW", []];
-const $c8199 = ["lbf/in", []];
-const $c715c = [10000, "ksi"];
-const $cc6d2 = [$c715c];
-const $c90b1 = ["psi", $cc6d2];
-const $c4989 = ["psi/in", []];
-const $cc6c2 = ["fpm", []];
-const $c8b51 = ["hp", []];
-const $c2254 = ["lbf ft", []];
-const $c98a4 = ["in2", []];
-const $cda43 = ["degF", []];
-const $c59e7 = ["1/in", []];
-const $ca33a = ["in3/(ft lbf)", []];
-const $c6d8d = ["ft lbf/ft2", []];
-const $c453a = ["hp/ft2", []];
-const $ce38a = ["lbm", []];
-const $c7fbf = ["lbm/ft", []];
-const $c6da4 = ["lbm/h", []];
-const $ca456 = ["lbm ft2", []];
-const $cbe21 = new Map([["length", $ce165], ["force", $c4fdf], ["force_per_width", $c954e], ["spring_rate", $c8199], ["pressure", $c90b1], ["pressure_per_length", $c4989], ["speed", $cc6c2], ["angle", $c152b], ["power", $c8b51], ["torque", $c2254], ["area", $c98a4], ["time", $ca9e4], ["temperature", $cda43], ["per_length", $c59e7], ["wear_coefficient", $ca33a], ["energy_per_area", $c6d8d], ["power_per_area", $c453a], ["rotation_speed", $cad55], ["frequency", $c0dc7], ["mass", $ce38a], ["mass_per_length", $c7fbf], ["mass_flow", $c6da4], ["moment_of_inertia", $ca456], ["number", $c8dba]]);
-const $cd5a9 = new Map([["si", $c0579], ["us", $cbe21]]);
+const $cc3f6 = ["modulus"];
+const $c205c = new Map([["wrap", "wrap_angle"], ["torque", "effective_tension"], ["power", "effective_tension"]]);
+const $ca9ba = $made(_Nothing, [], []);
+const $c01ee = new Map([[8211, "-"], [215, "x"], [8722, "-"], [160, " "], [8243, "\""], [8221, "\""], [1045, "E"], [1056, "P"], [216, "0"], [42, "x"]]);
+const $c25ce = $re("(?:(?:DIN|ISO|EN|AS|IS|GB/T|JIS)\\s*(?:EN\\s*)?[A-Z]?\\s*\\d+\\S*\\s+(?:[A-Z]{1,4}\\s+)?)?(?:B?\\s*\\d{3,4}\\s*(?:MM)?\\s+)?(?<carcass>EP|PN|EE|NN|PP|P)\\s*-?\\s*(?<strength>\\d{2,5})\\s*(?<sign>[-/:X])\\s*(?<plies>\\d+)(?:\\s*PLY|\\s*PLIES)?(?![\\d.,])(?<piw>\\s*PIW\\b)?(?:\\s*[-,]?\\s*(?:(?<carry>\\d+(?:[.,]\\d+)?)\\s*(?:MM)?\\s*[TS]?\\s*[-+/:X]\\s*(?<pulley>\\d+(?:[.,]\\d+)?)\\s*(?:MM)?|(?<top>\\d+/\\d+)\\s*(?:IN\\b|\")?\\s*[-+:X]\\s*(?<bottom>\\d+/\\d+)\\s*(?:IN\\b|\")?))?(?<grade>(?:\\s*[-,]?\\s*[A-Z][A-Z0-9]{0,6}(?:(?:\\s+|\\s*[-,]\\s*)(?:[A-Z][A-Z0-9]{0,6}|\\d{2,5}(?:\\s?MM)?)){0,4})?(?:\\s+B?\\d{3,4}\\s?MM)?)\\s*", "");
+const $cade6 = new Map([[79, "0"], [73, "1"], [76, "1"]]);
+const $cb164 = $re("[^A-Z0-9]", "");
+const $c3cf7 = [160, 200, 250, 315, 400, 500, 630, 800, 1000, 1250, 1600, 2000, 2500, 3150];
+const $c84f8 = [80, 100, 125, 150, 160, 200, 250, 300, 315, 350, 400, 450, 500, 600, 630, 800];
+const $c65c8 = [500, 630, 800, 1000, 1120, 1250, 1400, 1600, 1800, 2000, 2240, 2250, 2500, 2800, 3150, 3500, 4000, 4500, 5000, 5400, 6000, 6300, 6500, 7000, 7500, 8000, 8500, 9000, 9500, 10000];
 const $c4c89 = new DimensionText("m", "a length", "1200 mm");
 const $cb7f2 = new DimensionText("N", "a force", "150 kN");
 const $ceb3f = new DimensionText("N/m", "a force per width", "12960 kN/m");
@@ -9132,17 +11099,12 @@ const $c9bfd = new DimensionText("Hz", "a frequency", "1.2 Hz");
 const $cd5cc = new DimensionText("kg", "a mass", "500 kg");
 const $c622e = new DimensionText("kg/m", "a mass per length", "22 kg/m");
 const $c5b93 = new DimensionText("kg/s", "a mass flow", "1500 t/h");
+const $ca074 = new DimensionText("kg/m3", "a density", "1600 kg/m3");
 const $c96d5 = new DimensionText("kg m2", "a moment of inertia", "2200 kg m2");
 const $c78b8 = new DimensionText("", "a plain number", "0.35");
-const $c22c8 = new Map([["length", $c4c89], ["force", $cb7f2], ["force_per_width", $ceb3f], ["spring_rate", $cb6a4], ["pressure", $c6907], ["pressure_per_length", $cabbc], ["speed", $c12ff], ["angle", $ca5a3], ["power", $ca327], ["torque", $c19d7], ["area", $cc5a9], ["time", $c9e8e], ["temperature", $c5e0b], ["per_length", $c32f4], ["wear_coefficient", $c7928], ["energy_per_area", $c3ce8], ["power_per_area", $c46d3], ["rotation_speed", $c3fd6], ["frequency", $c9bfd], ["mass", $cd5cc], ["mass_per_length", $c622e], ["mass_flow", $c5b93], ["moment_of_inertia", $c96d5], ["number", $c78b8]]);
-const $c7c8f = $re("[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]+)?", "");
-const $cf327 = $re("[0-9.,'’_´`\\s+\\-−/:;]*(?:(?<=[0-9])[eE][+-]?[0-9]+)?", "");
-const $ccb7f = $re("[+-]?\\s*(?:nan|inf|infinity|∞)\\b", "i");
-const $c0f01 = $re("[eE][+-]?([0-9]+)$", "");
-const $ced43 = $re("(?<=[0-9])[\\s'’_´`]+(?=[0-9])", "");
-const $cb5cc = $re("[,.]", "");
-const $cf432 = $re("1\\s*/\\s*[A-Za-z(]", "");
-const $c9926 = $re("[0-9.,'’_´`+\\-−:;]|/\\s*[0-9]", "");
+const $c22c8 = new Map([["length", $c4c89], ["force", $cb7f2], ["force_per_width", $ceb3f], ["spring_rate", $cb6a4], ["pressure", $c6907], ["pressure_per_length", $cabbc], ["speed", $c12ff], ["angle", $ca5a3], ["power", $ca327], ["torque", $c19d7], ["area", $cc5a9], ["time", $c9e8e], ["temperature", $c5e0b], ["per_length", $c32f4], ["wear_coefficient", $c7928], ["energy_per_area", $c3ce8], ["power_per_area", $c46d3], ["rotation_speed", $c3fd6], ["frequency", $c9bfd], ["mass", $cd5cc], ["mass_per_length", $c622e], ["mass_flow", $c5b93], ["density", $ca074], ["moment_of_inertia", $c96d5], ["number", $c78b8]]);
+const $c1360 = ["ton", "tons", "Ton", "Tons", "TON", "TONS", "tn", "tns"];
+const $c33fe = ["mass", "mass_per_length", "mass_flow", "density", "moment_of_inertia"];
 const $c388d = ["kg", "m", "s", "K", "rad"];
 const $c7520 = ["meter", "meters", "metre", "metres"];
 const $c3ab7 = $Decimal.of("1");
@@ -9200,6 +11162,14 @@ const $cea9f = ["lbm"];
 const $cbce9 = $Decimal.of("0.45359237");
 const $cd3b3 = $Decimal.of("0");
 const $c32bf = new Definition($cea9f, $cbce9, "kg", $cd3b3);
+const $c1a95 = ["ston", "stons"];
+const $c7d8d = $Decimal.of("2000");
+const $c0b23 = $Decimal.of("0");
+const $cb3fe = new Definition($c1a95, $c7d8d, "lbm", $c0b23);
+const $c8c7b = ["lton", "ltons"];
+const $cd553 = $Decimal.of("2240");
+const $c3630 = $Decimal.of("0");
+const $c926d = new Definition($c8c7b, $cd553, "lbm", $c3630);
 const $c5316 = ["sec", "second", "seconds"];
 const $c51e3 = $Decimal.of("1");
 const $c6250 = $Decimal.of("0");
@@ -9356,6 +11326,10 @@ const $c9bb9 = ["fps"];
 const $c8451 = $Decimal.of("1");
 const $c835f = $Decimal.of("0");
 const $c3d60 = new Definition($c9bb9, $c8451, "ft/s", $c835f);
+const $c0cf2 = ["mps"];
+const $ca9a1 = $Decimal.of("1");
+const $ccf02 = $Decimal.of("0");
+const $cde8d = new Definition($c0cf2, $ca9a1, "m/s", $ccf02);
 const $ca81f = ["kph", "kmh"];
 const $c8247 = $Decimal.of("1");
 const $cc69c = $Decimal.of("0");
@@ -9364,6 +11338,18 @@ const $ce6a6 = ["mph"];
 const $ceebe = $Decimal.of("1");
 const $cad07 = $Decimal.of("0");
 const $c7f4c = new Definition($ce6a6, $ceebe, "mi/h", $cad07);
+const $cc5e5 = ["tph", "TPH", "mtph", "MTPH"];
+const $cb7ee = $Decimal.of("1");
+const $c0989 = $Decimal.of("0");
+const $c3c78 = new Definition($cc5e5, $cb7ee, "t/h", $c0989);
+const $c9a35 = ["stph", "STPH"];
+const $c9b87 = $Decimal.of("1");
+const $cf2a2 = $Decimal.of("0");
+const $c3224 = new Definition($c9a35, $c9b87, "ston/h", $cf2a2);
+const $c3df0 = ["ltph", "LTPH"];
+const $c61b0 = $Decimal.of("1");
+const $c036f = $Decimal.of("0");
+const $c1c86 = new Definition($c3df0, $c61b0, "lton/h", $c036f);
 const $c3b25 = ["Hz", "hertz"];
 const $cacd0 = $Decimal.of("1");
 const $cb554 = $Decimal.of("0");
@@ -9396,24 +11382,173 @@ const $ca7a5 = ["%", "percent"];
 const $c307b = $Decimal.of("0.01");
 const $c0a42 = $Decimal.of("0");
 const $c83b1 = new Definition($ca7a5, $c307b, "", $c0a42);
-const $c50ba = [$ca016, $cac85, $c6c44, $c23b7, $c898e, $c3cf3, $c78b2, $cfead, $cc559, $cc34c, $c06a3, $c4a6d, $c2b63, $c32bf, $ccfac, $c3fb9, $cc25d, $c8a0e, $c85fe, $cf7d5, $ccd2e, $cb833, $cc894, $cb72b, $c2cce, $c6462, $cc08f, $c4056, $cfb47, $cde5a, $c7e30, $c3856, $c9971, $c6f8da, $ce4e2, $c56ee, $cf9cc, $c390e, $c1150, $cd0b2, $ca59d, $cb500, $c5f67, $c13af, $c87eb, $c7072, $cdb72, $ccb08, $c875c, $ce000, $cc241, $c8730, $c3d60, $c529e, $c7f4c, $c8ea2, $c10f2, $c4bbe, $caf6b, $c029a, $c8cd2, $cfa62, $c83b1];
+const $c50ba = [$ca016, $cac85, $c6c44, $c23b7, $c898e, $c3cf3, $c78b2, $cfead, $cc559, $cc34c, $c06a3, $c4a6d, $c2b63, $c32bf, $cb3fe, $c926d, $ccfac, $c3fb9, $cc25d, $c8a0e, $c85fe, $cf7d5, $ccd2e, $cb833, $cc894, $cb72b, $c2cce, $c6462, $cc08f, $c4056, $cfb47, $cde5a, $c7e30, $c3856, $c9971, $c6f8da, $ce4e2, $c56ee, $cf9cc, $c390e, $c1150, $cd0b2, $ca59d, $cb500, $c5f67, $c13af, $c87eb, $c7072, $cdb72, $ccb08, $c875c, $ce000, $cc241, $c8730, $c3d60, $cde8d, $c529e, $c7f4c, $c3c78, $c3224, $c1c86, $c8ea2, $c10f2, $c4bbe, $caf6b, $c029a, $c8cd2, $cfa62, $c83b1];
 const $cdac1 = new Map([[181, "u"], [956, "u"], [8243, "\""], [8221, "\""], [186, "°"], [183, "*"], [8901, "*"], [215, "*"], [178, "2"], [179, "3"], [8315, "-"], [185, "1"], [160, " "], [8239, " "]]);
 const $c0fad = $re("(?<over>1|[A-Za-z°%\"]+(?:\\^?-?[1-9])?(?:(?:\\s*[*.]\\s*|\\s+|-(?=[A-Za-z]))[A-Za-z°%\"]+(?:\\^?-?[1-9])?)*)?\\s*(?:/\\s*(?:(?<one>[A-Za-z°%\"]+(?:\\^?-?[1-9])?)|\\(\\s*(?<under>[A-Za-z°%\"]+(?:\\^?-?[1-9])?(?:(?:\\s*[*.]\\s*|\\s+|-(?=[A-Za-z]))[A-Za-z°%\"]+(?:\\^?-?[1-9])?)*)\\s*\\)))?", "");
 const $c09cc = $re("([A-Za-z°%\"]+)(?:\\^?(-?[1-9]))?", "");
-const $c5fbb = ["length", "force", "force_per_width", "spring_rate", "pressure", "pressure_per_length", "speed", "angle", "power", "torque", "area", "time", "temperature", "per_length", "wear_coefficient", "energy_per_area", "power_per_area", "rotation_speed", "frequency", "mass", "mass_per_length", "mass_flow", "moment_of_inertia", "number"];
+const $c5fbb = ["length", "force", "force_per_width", "spring_rate", "pressure", "pressure_per_length", "speed", "angle", "power", "torque", "area", "time", "temperature", "per_length", "wear_coefficient", "energy_per_area", "power_per_area", "rotation_speed", "frequency", "mass", "mass_per_length", "mass_flow", "density", "moment_of_inertia", "number"];
+const $c8940 = $re("\\bkg(?![A-Za-z])", "");
+const $c47ac = [$c8940, "kgf", "a force"];
+const $c221f = $re("\\bkgf(?![A-Za-z])", "");
+const $ce538 = [$c221f, "kg", "a mass"];
+const $cc1df = $re("\\bt(?![A-Za-z])", "");
+const $c121a = [$cc1df, "tf", "a force"];
+const $c6b53 = $re("\\btf(?![A-Za-z])", "");
+const $c4fa4 = [$c6b53, "t", "a mass"];
+const $c4039 = $re("\\bg(?![A-Za-z])", "");
+const $c5514 = [$c4039, "gf", "a force"];
+const $c37b1 = $re("\\bgf(?![A-Za-z])", "");
+const $c14d5 = [$c37b1, "g", "a mass"];
+const $c6c84 = $re("\\blbm(?![A-Za-z])", "");
+const $c5cd7 = [$c6c84, "lbf", "a force"];
+const $c4fa8 = $re("\\blbf(?![A-Za-z])", "");
+const $c907a = [$c4fa8, "lbm", "a mass"];
+const $ca649 = [$c47ac, $ce538, $c121a, $c4fa4, $c5514, $c14d5, $c5cd7, $c907a];
+const $c7c8f = $re("[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]+)?", "");
+const $cf327 = $re("[0-9.,'’_´`\\s+\\-−/:;]*(?:(?<=[0-9])[eE][+-]?[0-9]+)?", "");
+const $ccb7f = $re("[+-]?\\s*(?:nan|inf|infinity|∞)\\b", "i");
+const $c0f01 = $re("[eE][+-]?([0-9]+)$", "");
+const $ced43 = $re("(?<=[0-9])[\\s'’_´`]+(?=[0-9])", "");
+const $cb5cc = $re("[,.]", "");
+const $cf432 = $re("1\\s*/\\s*[A-Za-z(]", "");
+const $c9926 = $re("[0-9.,'’_´`+\\-−:;]|/\\s*[0-9]", "");
+const $c3d44 = [62.0, 1250.0];
+const $c1fa2 = $re("(?:(?:DIN|ISO|EN|AS|IS|GB/T|JIS)\\s*(?:EN\\s*)?[A-Z]?\\s*\\d+\\S*\\s+(?:[A-Z]{1,4}\\s+)?)?(?:B?\\s*\\d{3,4}\\s*(?:MM)?\\s+)?ST\\s*-?\\s*/?(?<strength>\\d{2,6})(?![\\d])(?:\\s*[-,]?\\s*(?:(?<carry>\\d+(?:[.,]\\d+)?)\\s*(?:MM)?\\s*[TS]?\\s*[-+/:X]\\s*(?<pulley>\\d+(?:[.,]\\d+)?)\\s*(?:MM)?|(?<top>\\d+/\\d+)\\s*(?:IN\\b|\")?\\s*[-+:X]\\s*(?<bottom>\\d+/\\d+)\\s*(?:IN\\b|\")?))?(?<grade>(?:\\s*[-,]?\\s*[A-Z][A-Z0-9]{0,6}(?:(?:\\s+|\\s*[-,]\\s*)(?:[A-Z][A-Z0-9]{0,6}|\\d{2,5}(?:\\s?MM)?)){0,4})?(?:\\s+B?\\d{3,4}\\s?MM)?)\\s*", "");
+const $c348c = $re("(?<strength>\\d{2,4})\\s*(?:PIW|PLI)\\b(?:\\s*[-/,]?\\s*(?<plies>\\d)(?:[\\s-]*PLY|[\\s-]*PLIES|\\b(?![/.,\\d])))?(?:\\s*[-,]?\\s*(?:(?<carry>\\d+(?:[.,]\\d+)?)\\s*(?:MM)?\\s*[TS]?\\s*[-+/:X]\\s*(?<pulley>\\d+(?:[.,]\\d+)?)\\s*(?:MM)?|(?<top>\\d+/\\d+)\\s*(?:IN\\b|\")?\\s*[-+:X]\\s*(?<bottom>\\d+/\\d+)\\s*(?:IN\\b|\")?))?(?<grade>(?:\\s*[-,]?\\s*[A-Z][A-Z0-9]{0,6}(?:(?:\\s+|\\s*[-,]\\s*)(?:[A-Z][A-Z0-9]{0,6}|\\d{2,5}(?:\\s?MM)?)){0,4})?(?:\\s+B?\\d{3,4}\\s?MM)?)\\s*", "");
+const $c3b22 = $re("(?<plies>\\d)(?:[\\s-]*PLY|[\\s-]*PLIES|\\s*[-/])\\s*(?<strength>\\d{2,4})\\s*(?:PIW|PLI)\\b(?:\\s*[-,]?\\s*(?:(?<carry>\\d+(?:[.,]\\d+)?)\\s*(?:MM)?\\s*[TS]?\\s*[-+/:X]\\s*(?<pulley>\\d+(?:[.,]\\d+)?)\\s*(?:MM)?|(?<top>\\d+/\\d+)\\s*(?:IN\\b|\")?\\s*[-+:X]\\s*(?<bottom>\\d+/\\d+)\\s*(?:IN\\b|\")?))?(?<grade>(?:\\s*[-,]?\\s*[A-Z][A-Z0-9]{0,6}(?:(?:\\s+|\\s*[-,]\\s*)(?:[A-Z][A-Z0-9]{0,6}|\\d{2,5}(?:\\s?MM)?)){0,4})?(?:\\s+B?\\d{3,4}\\s?MM)?)\\s*", "");
+const $cbcbe = $re("(?:PIW|PLI)\\s*(?<strength>\\d{2,4})\\s*(?:/\\s*(?<plies>\\d)(?![\\d/]))?(?:\\s*[-,]?\\s*(?:(?<carry>\\d+(?:[.,]\\d+)?)\\s*(?:MM)?\\s*[TS]?\\s*[-+/:X]\\s*(?<pulley>\\d+(?:[.,]\\d+)?)\\s*(?:MM)?|(?<top>\\d+/\\d+)\\s*(?:IN\\b|\")?\\s*[-+:X]\\s*(?<bottom>\\d+/\\d+)\\s*(?:IN\\b|\")?))?(?<grade>(?:\\s*[-,]?\\s*[A-Z][A-Z0-9]{0,6}(?:(?:\\s+|\\s*[-,]\\s*)(?:[A-Z][A-Z0-9]{0,6}|\\d{2,5}(?:\\s?MM)?)){0,4})?(?:\\s+B?\\d{3,4}\\s?MM)?)\\s*", "");
+const $caeec = [$c348c, $c3b22, $cbcbe];
+const $c77e8 = $re("(?:[A-Z]{1,3}\\s*-?\\s*)?[\\dOIL]{2,6}\\s*[-/:X]\\s*[\\dOIL]{1,2}\\b.*|ST\\W*\\w{2,6}", "");
+const $c6b5d = new Usual(10.0, 8.0, 10.0);
+const $c79d4 = new Usual(6.666666666666667, 6.666666666666667, 7.0);
+const $c60ad = new Map([["fabric", $c6b5d], ["steel cord", $c79d4]]);
+const $c22da = new Map([["fabric", "Roulunds, conveyor belts, 2001; Neelkanth Beltings, selection chart"], ["steel cord", "Goodyear EP conveyor belt catalogue (Flexsteel), 2012, p. 71; Forech, steel cord belts"]]);
+const $cdd13 = new Usual(7.5, 5.0, 12.0);
+const $cad69 = new Usual(7.5, 5.0, 12.0);
+const $c3253 = new Usual(10.5, 5.0, 12.0);
+const $cdd66 = new Usual(4.0, 2.5, 5.0);
+const $cfe41 = new Usual(7.5, 5.0, 12.0);
+const $c2fbf = new Usual(72.0, 50.0, 72.0);
+const $c88e4 = new Map([["EP", $cdd13], ["PN", $cad69], ["EE", $c3253], ["NN", $cdd66], ["PIW", $cfe41], ["ST", $c2fbf]]);
+const $c849a = new Map([["EP", "Goodyear EP conveyor belt catalogue, 2012, p. 15; elongation at a tenth of the strength, DIN 22102"], ["PN", "Goodyear EP conveyor belt catalogue, 2012, p. 15; elongation at a tenth of the strength, DIN 22102"], ["EE", "Goodyear EP conveyor belt catalogue, 2012, p. 15; elongation at a tenth of the strength, DIN 22102"], ["PIW", "Goodyear EP conveyor belt catalogue, 2012, p. 15; elongation at a tenth of the strength, DIN 22102"], ["NN", "JD Conveyor, elongation of NN and EP fabric; GB/T 7984, at most 4 %"], ["ST", "Goodyear EP conveyor belt catalogue (Flexsteel), 2012, p. 71; Sempertrans, data sheet of ST 1000, 2014"]]);
+const $c322a = new Cords(0.0037, NaN, "NRC Industries, steel cord belts");
+const $ceaf6 = new Cords(0.0037, NaN, "NRC Industries, steel cord belts");
+const $c7108 = new Cords(0.0037, 0.015, "DIN 22131, ISO 15236-2; NRC Industries, steel cord belts, and BVH Rubber");
+const $c2622 = new Cords(0.0039, 0.012, "DIN 22131, ISO 15236-2; NRC Industries, steel cord belts, and BVH Rubber");
+const $c27db = new Cords(0.0047, 0.014, "DIN 22131, ISO 15236-2; NRC Industries, steel cord belts, and BVH Rubber");
+const $cd1cb = new Cords(0.0047, NaN, "NRC Industries, steel cord belts");
+const $c98e2 = new Cords(0.0054, 0.015, "DIN 22131, ISO 15236-2; NRC Industries, steel cord belts, and BVH Rubber");
+const $ceac6 = new Cords(0.0054, NaN, "NRC Industries, steel cord belts");
+const $c19cc = new Cords(0.0054, 0.012, "DIN 22131, ISO 15236-2; NRC Industries, steel cord belts, and BVH Rubber");
+const $c8595 = new Cords(0.0062, NaN, "NRC Industries, steel cord belts");
+const $cf8b8 = new Cords(0.007, 0.015, "DIN 22131, ISO 15236-2; NRC Industries, steel cord belts, and BVH Rubber");
+const $c902a = new Cords(0.0072, NaN, "NRC Industries, steel cord belts");
+const $c1bd2 = new Cords(0.0081, 0.015, "DIN 22131, ISO 15236-2; NRC Industries, steel cord belts, and BVH Rubber");
+const $ccf9c = new Cords(0.0086, 0.015, "DIN 22131, ISO 15236-2; NRC Industries, steel cord belts, and BVH Rubber");
+const $c4a9b = new Cords(0.0089, 0.015, "DIN 22131, ISO 15236-2; NRC Industries, steel cord belts, and BVH Rubber");
+const $c4a21 = new Cords(0.0097, 0.016, "DIN 22131, ISO 15236-2; NRC Industries, steel cord belts, and BVH Rubber");
+const $c3db8 = new Cords(0.0109, 0.017, "DIN 22131, ISO 15236-2; NRC Industries, steel cord belts, and BVH Rubber");
+const $ccc94 = new Cords(0.0113, 0.017, "DIN 22131, ISO 15236-2; NRC Industries, steel cord belts, and BVH Rubber");
+const $ca5a1 = new Cords(0.0124, 0.0216, "Goodyear EP conveyor belt catalogue (Flexsteel), 2012, p. 71");
+const $c32d7 = new Cords(0.0124, 0.0201, "Goodyear EP conveyor belt catalogue (Flexsteel), 2012, p. 71");
+const $c75dc = new Cords(0.0124, 0.0188, "Goodyear EP conveyor belt catalogue (Flexsteel), 2012, p. 71");
+const $c9cad = new Map([[500, $c322a], [630, $ceaf6], [800, $c7108], [1000, $c2622], [1250, $c27db], [1400, $cd1cb], [1600, $c98e2], [1800, $ceac6], [2000, $c19cc], [2250, $c8595], [2500, $cf8b8], [2800, $c902a], [3150, $c1bd2], [3500, $ccf9c], [4000, $c4a9b], [4500, $c4a21], [5000, $c3db8], [5400, $ccc94], [6000, $ca5a1], [6500, $c32d7], [7000, $c75dc]]);
+const $cb302 = new Map([["fabric", "Goodyear EP conveyor belt catalogue, 2012, p. 15; Neelkanth Beltings, selection chart"], ["steel cord", "Goodyear EP conveyor belt catalogue (Flexsteel), 2012, p. 71"]]);
+const $ca34d = [0.8, 1.4];
+const $c552c = ["EP", "NN"];
+const $c0bbc = ["EE", "NN"];
+const $cc26f = new Map([["P", $c552c], ["PP", $c0bbc]]);
+const $cf010 = [0.8, 1.25];
+const $c4e18 = new Map([["EP", "Neelkanth Beltings, selection chart; Monster Belting, plies; Goodyear EP conveyor belt catalogue, 2012, p. 15"], ["NN", "Tatanka, NN belts; Monster Belting, plies"]]);
+const $c197d = new Map([["EP", 108.0], ["PN", 108.0], ["EE", 108.0], ["PIW", 108.0], ["NN", 90.0], ["ST", 145.0]]);
+const $c4076 = [0.2, 0.25, 0.315, 0.4, 0.5, 0.63, 0.8, 1.0, 1.25, 1.4, 1.6, 1.8, 2.0];
+const $c2628 = ["name", "kind", "modulus", "modulus_test", "modulus_loads", "modulus_ends", "rating", "strength", "least_pulley_diameter", "pulley_cover", "carry_cover", "carcass", "cord_pitch"];
+const $c5884 = ["modulus_test", "modulus_loads", "modulus_ends"];
+const $c2a894 = new Map([["width", $c1da4], ["modulus", $c5a26], ["rating", $c4bc3], ["strength", $c3eaf], ["speed", $c45b0], ["momentary_factor", $cfb5f], ["least_pulley_diameter", $cbc30], ["largest_wrap_pressure", $cf3a1], ["in_plane_shear_stiffness", $cd676], ["pulley_cover", $cbe31], ["carry_cover", $ca3d0], ["carcass", $c9b33], ["thickness", $cbf1f], ["cover_shear_modulus", $c975b], ["cord_diameter", $c7e3d], ["cord_pitch", $c26ab], ["mass", $ce1b5]]);
+const $c2d22 = ["pulley_cover", "carry_cover", "carcass"];
+const $ca366 = $re("[A-Za-z0-9_-]{1,60}", "");
+const $c2e28 = ["diameter", "wrap_angle", "entry_tension", "exit_tension", "effective_tension"];
+const $c39fc = ["x", "y", "diameter", "turn"];
+const $c2e3c = [10000, "m"];
+const $c68da = [$c2e3c];
+const $c03b4 = ["mm", $c68da];
+const $cc67d = ["kN", []];
+const $ce2c9 = ["kN/m", []];
+const $c6fe9 = [10000, "MPa"];
+const $c76c4 = [$c6fe9];
+const $c0183 = ["kPa", $c76c4];
+const $cb046 = ["kPa/mm", []];
+const $cb323f = ["m/s", []];
+const $c152b = ["deg", []];
+const $c1a85 = ["kW", []];
+const $cd5b6 = ["kN m", []];
+const $c2e60 = ["m2", []];
+const $ca9e4 = ["s", []];
+const $c4129 = ["degC", []];
+const $c48ee = ["1/mm", []];
+const $ce81f = ["mm3/J", []];
+const $c13c5 = [1000000, "MJ/m2"];
+const $cc2e2 = [$c13c5];
+const $c414b = ["J/m2", $cc2e2];
+const $cb45a = [10000, "kW/m2"];
+const $c6402 = [$cb45a];
+const $c0650 = ["W/m2", $c6402];
+const $cad55 = ["rpm", []];
+const $c0dc7 = ["Hz", []];
+const $c3ec9 = ["kg", []];
+const $c9e28 = ["kg/m", []];
+const $c19db = ["t/h", []];
+const $c51a0 = ["kg/m3", []];
+const $c77e7 = ["kg m2", []];
+const $c8dba = ["", []];
+const $c0579 = new Map([["length", $c03b4], ["force", $cc67d], ["force_per_width", $ce2c9], ["spring_rate", $ce2c9], ["pressure", $c0183], ["pressure_per_length", $cb046], ["speed", $cb323f], ["angle", $c152b], ["power", $c1a85], ["torque", $cd5b6], ["area", $c2e60], ["time", $ca9e4], ["temperature", $c4129], ["per_length", $c48ee], ["wear_coefficient", $ce81f], ["energy_per_area", $c414b], ["power_per_area", $c0650], ["rotation_speed", $cad55], ["frequency", $c0dc7], ["mass", $c3ec9], ["mass_per_length", $c9e28], ["mass_flow", $c19db], ["density", $c51a0], ["moment_of_inertia", $c77e7], ["number", $c8dba]]);
+const $c3dc7 = [400, "ft"];
+const $cc9da = [$c3dc7];
+const $ce165 = ["in", $cc9da];
+const $c4fdf = ["lbf", []];
+const $c954e = ["PIW", []];
+const $c8199 = ["lbf/in", []];
+const $c715c = [10000, "ksi"];
+const $cc6d2 = [$c715c];
+const $c90b1 = ["psi", $cc6d2];
+const $c4989 = ["psi/in", []];
+const $cc6c2 = ["fpm", []];
+const $c8b51 = ["hp", []];
+const $c2254 = ["lbf ft", []];
+const $c98a4 = ["in2", []];
+const $cda43 = ["degF", []];
+const $c59e7 = ["1/in", []];
+const $ca33a = ["in3/(ft lbf)", []];
+const $c6d8d = ["ft lbf/ft2", []];
+const $c453a = ["hp/ft2", []];
+const $ce38a = ["lbm", []];
+const $c7fbf = ["lbm/ft", []];
+const $c6da4 = ["lbm/h", []];
+const $c814b = ["lbm/ft3", []];
+const $ca456 = ["lbm ft2", []];
+const $cbe21 = new Map([["length", $ce165], ["force", $c4fdf], ["force_per_width", $c954e], ["spring_rate", $c8199], ["pressure", $c90b1], ["pressure_per_length", $c4989], ["speed", $cc6c2], ["angle", $c152b], ["power", $c8b51], ["torque", $c2254], ["area", $c98a4], ["time", $ca9e4], ["temperature", $cda43], ["per_length", $c59e7], ["wear_coefficient", $ca33a], ["energy_per_area", $c6d8d], ["power_per_area", $c453a], ["rotation_speed", $cad55], ["frequency", $c0dc7], ["mass", $ce38a], ["mass_per_length", $c7fbf], ["mass_flow", $c6da4], ["density", $c814b], ["moment_of_inertia", $ca456], ["number", $c8dba]]);
+const $cd5a9 = new Map([["si", $c0579], ["us", $cbe21]]);
 const $c535d = ["kind", "source", "date", "note"];
 const $c2aaf = $made(Provenance, $c535d, ["given", "", "", "from the coordinates of the pulleys"]);
-const $cf50e = [$cdc1c, $c25c2, $cdb8f, $c490f, $c1441];
 const $c6fe1 = ["entry_tension", "exit_tension", "effective_tension", "torque", "power"];
+const $cf50e = [$cdc1c, $c25c2, $cdb8f, $c490f, $c1441];
 const $c7939 = new Map([["entry", "entry_tension"], ["exit", "exit_tension"]]);
-const $cef3c = ["material_mass", "capacity", "material_mass = \"120 kg/m\""];
-const $ca8b3 = ["take_up_tension", "counterweight", "take_up_tension = \"40 kN\""];
-const $c1f00 = ["length_coefficient", "secondary_resistance", ""];
-const $ca15e = ["start_factor", "start_time", ""];
-const $cbf28 = [$cef3c, $ca8b3, $c1f00, $ca15e];
-const $cf0bc = ["capacity", "start_time", "stop_time"];
+const $c26fe = ["entry_tension", "exit_tension", "effective_tension"];
+const $cee7f = ["flight", $c1b6f, "flights"];
+const $cab86 = ["loading", $ce67f, "loadings"];
+const $c6b73 = ["drive", $cc308, "drives"];
+const $c2ef3 = ["resistance", $c40f1, "locals"];
+const $ca4a5 = [$cee7f, $cab86, $c6b73, $c2ef3];
+const $cac72 = ["friction_factor", "length_coefficient", "secondary_resistance", "special_resistance", "material_mass", "capacity", "belt_mass", "carry_idler_mass", "return_idler_mass", "lift", "start_factor", "take_up_tension", "counterweight"];
+const $c01d0 = ["material_mass", "capacity", "material_mass = \"120 kg/m\""];
+const $cab98 = ["take_up_tension", "counterweight", "take_up_tension = \"40 kN\""];
+const $c5e9a = ["length_coefficient", "secondary_resistance", ""];
+const $c2779 = ["start_factor", "start_time", ""];
+const $c601c = [$c01d0, $cab98, $c5e9a, $c2779];
+const $c361e = ["capacity", "start_time", "stop_time"];
+const $cdeee = ["take_up_tension", "counterweight"];
 const $c9540 = $made(Quantity, $cd20a, ["force", $cb6cf]);
-const $c8c7b = $made(Entry, $cc442, ["entry_tension", $c9540, false, "", "", "entry_tension", ""]);
+const $c8c7b5 = $made(Entry, $cc442, ["entry_tension", $c9540, false, "", "", "entry_tension", ""]);
 const $cdeb8 = $made(Entry, $cc442, ["exit_tension", $c9540, false, "", "", "exit_tension", ""]);
 const $cf1d5 = $made(Quantity, $cd20a, ["force", null]);
 const $c3b23 = $made(Entry, $cc442, ["effective_tension", $cf1d5, false, "", "", "effective_tension", ""]);
@@ -9431,15 +11566,23 @@ const $cd533 = $made(Rows, $ce552, [$c606c, 1, 10]);
 const $c62e6 = $made(Entry, $cc442, ["share", $cd533, false, "", "", "share", ""]);
 const $c4bb9 = $made(SpeedList, [], []);
 const $cd0ab = $made(Entry, $cc442, ["speeds", $c4bb9, false, "", "", "speeds", ""]);
-const $cf30b = [$c8c7b, $cdeb8, $c3b23, $c1585, $c06e6, $c62e6, $cd0ab];
-const $cdccd = new Map([["entry_tension", $c8c7b], ["exit_tension", $cdeb8], ["effective_tension", $c3b23], ["power", $c1585], ["run", $c06e6], ["share", $c62e6], ["speeds", $cd0ab]]);
+const $ce4cb = $made(Limit, $cf70d, ["number", 0.0, 1.0, false, false]);
+const $c85f3 = $made(Percent, $c7fcc, ["number", $ce4cb, 1.0]);
+const $c33da = $made(ByName, $cf6b7, [$c85f3, 200]);
+const $c1cb8 = $made(Entry, $cc442, ["uncertainty", $c33da, false, "", "", "uncertainty", ""]);
+const $cf30b = [$c8c7b5, $cdeb8, $c3b23, $c1585, $c06e6, $c62e6, $cd0ab, $c1cb8];
+const $cdccd = new Map([["entry_tension", $c8c7b5], ["exit_tension", $cdeb8], ["effective_tension", $c3b23], ["power", $c1585], ["run", $c06e6], ["share", $c62e6], ["speeds", $cd0ab], ["uncertainty", $c1cb8]]);
 const $c4c2c = $made(tables$Table, $c38db, [null, null, $cf30b, $cdccd]);
 const $c78be = $made(Entry, $cc442, ["train", $c4c2c, false, "", "", "train", ""]);
 const $c70ae = [$ceb06, $c14dd, $c8d03, $cd64e, $c7998, $c78be];
-const $c1360 = new Map([["name", $ceb06], ["description", $c14dd], ["kind", $c8d03], ["condition", $cd64e], ["pulley", $c7998], ["train", $c78be]]);
-const $cc28d = $made(tables$Table, $c38db, [null, $ca636, $c70ae, $c1360]);
+const $c13602 = new Map([["name", $ceb06], ["description", $c14dd], ["kind", $c8d03], ["condition", $cd64e], ["pulley", $c7998], ["train", $c78be]]);
+const $cc28d = $made(tables$Table, $c38db, [null, $ca636, $c70ae, $c13602]);
 const $cc379 = $made(Rows, $ce552, [$cc28d, 1, 1000]);
 const $c7c86 = $made(Entry, $cc442, ["load_case", $cc379, false, "", "", "load_case", ""]);
+const $c57f7 = $made(Limit, $cf70d, ["number", 0.0, 1.0, false, false]);
+const $cb0ab = $made(Percent, $c7fcc, ["number", $c57f7, 1.0]);
+const $c16ce = $made(ByName, $cf6b7, [$cb0ab, 200]);
+const $c8c23 = $made(Entry, $cc442, ["uncertainty", $c16ce, false, "", "", "uncertainty", ""]);
 const $c4415 = $made(Quantity, $cd20a, ["length", $cd632]);
 const $c6fec = $made(Rows, $ce552, [$c4415, 1, 10]);
 const $c85cb = $made(Entry, $cc442, ["diameters", $c6fec, false, "", "", "diameters", ""]);
@@ -9457,8 +11600,8 @@ const $c2a89 = $made(Limit, $cf70d, ["number", 0.0, 10000.0, true, false]);
 const $c2a15 = $made(Quantity, $cd20a, ["number", $c2a89]);
 const $cfdcf = $made(Entry, $cc442, ["gear_ratio", $c2a15, false, "", "", "gear_ratio", ""]);
 const $ce03b = $made(Limit, $cf70d, ["number", 0.05, 1.0, false, false]);
-const $c315bb = $made(Quantity, $cd20a, ["number", $ce03b]);
-const $c1481 = $made(Entry, $cc442, ["gear_efficiency", $c315bb, false, "", "", "gear_efficiency", ""]);
+const $c315b = $made(Quantity, $cd20a, ["number", $ce03b]);
+const $c1481 = $made(Entry, $cc442, ["gear_efficiency", $c315b, false, "", "", "gear_efficiency", ""]);
 const $cf04b = $made(Limit, $cf70d, ["number", 0.05, 1.0, false, false]);
 const $cff58 = $made(Quantity, $cd20a, ["number", $cf04b]);
 const $c7c17 = $made(Entry, $cc442, ["motor_efficiency", $cff58, false, "", "", "motor_efficiency", ""]);
@@ -9479,9 +11622,9 @@ const $cd819 = $made(Entry, $cc442, ["torque_limit", $c4973, false, "", "", "tor
 const $c008b = [$c33ea, $cfb66, $ca92d, $cfdcf, $c1481, $c7c17, $c9761, $ccf35, $c8590, $c7dbd, $cd819];
 const $ceb2f = new Map([["kind", $c33ea], ["rated_power", $cfb66], ["rated_speed", $ca92d], ["gear_ratio", $cfdcf], ["gear_efficiency", $c1481], ["motor_efficiency", $c7c17], ["count", $c9761], ["brakes", $ccf35], ["setting", $c8590], ["droop", $c7dbd], ["torque_limit", $cd819]]);
 const $cff0a = $made(tables$Table, $c38db, [VariableSpeed, null, $c008b, $ceb2f]);
-const $c552c = ["induction"];
+const $c552ce = ["induction"];
 const $c9ea1 = new Map([]);
-const $c7994 = $made(Choice, $c322f, [$c552c, $c9ea1]);
+const $c7994 = $made(Choice, $c322f, [$c552ce, $c9ea1]);
 const $ce96a = $made(Entry, $cc442, ["kind", $c7994, true, "", "", "kind", ""]);
 const $c1fe6 = $made(Quantity, $cd20a, ["power", $c67e0]);
 const $c8340 = $made(Entry, $cc442, ["rated_power", $c1fe6, true, "", "", "rated_power", ""]);
@@ -9528,9 +11671,9 @@ const $cb9c1 = $made(Limit, $cf70d, ["number", 0.0, 10.0, false, false]);
 const $cbc2c = $made(Quantity, $cd20a, ["number", $cb9c1]);
 const $cc04f = $made(Rows, $ce552, [$cbc2c, 2, 200]);
 const $ce2c8 = $made(Entry, $cc442, ["coupling_load", $cc04f, true, "", "", "coupling_load", ""]);
-const $c30d4d = $made(Entry, $cc442, ["coupling_slip", $cc04f, true, "", "", "coupling_slip", ""]);
-const $cc970 = [$c2246, $c97eb, $c95d25, $cd017, $ceea5, $ccf84, $c9761, $c7a0e, $cf1c8, $cff62, $ce2c8, $c30d4d];
-const $c480a = new Map([["kind", $c2246], ["rated_power", $c97eb], ["rated_speed", $c95d25], ["gear_ratio", $cd017], ["gear_efficiency", $ceea5], ["motor_efficiency", $ccf84], ["count", $c9761], ["brakes", $c7a0e], ["synchronous_speed", $cf1c8], ["breakdown_ratio", $cff62], ["coupling_load", $ce2c8], ["coupling_slip", $c30d4d]]);
+const $c30d4 = $made(Entry, $cc442, ["coupling_slip", $cc04f, true, "", "", "coupling_slip", ""]);
+const $cc970 = [$c2246, $c97eb, $c95d25, $cd017, $ceea5, $ccf84, $c9761, $c7a0e, $cf1c8, $cff62, $ce2c8, $c30d4];
+const $c480a = new Map([["kind", $c2246], ["rated_power", $c97eb], ["rated_speed", $c95d25], ["gear_ratio", $cd017], ["gear_efficiency", $ceea5], ["motor_efficiency", $ccf84], ["count", $c9761], ["brakes", $c7a0e], ["synchronous_speed", $cf1c8], ["breakdown_ratio", $cff62], ["coupling_load", $ce2c8], ["coupling_slip", $c30d4]]);
 const $c049a = $made(tables$Table, $c38db, [FluidCoupling, null, $cc970, $c480a]);
 const $c65bf = ["follower"];
 const $c695f = new Map([]);
@@ -9548,14 +11691,14 @@ const $cc5ca = new Map([["converter", $cff0a], ["induction", $c23bf], ["fluid-co
 const $ce9f3 = $made(Variant, $c3ebe, ["kind", $cc5ca]);
 const $cc7b5 = $made(ByName, $cf6b7, [$ce9f3, 200]);
 const $c0179 = $made(Entry, $cc442, ["motor", $cc7b5, false, "", "", "motor", ""]);
-const $ca64e = [$c8c7b, $cdeb8, $c3b23, $c1585, $c06e6, $c62e6, $cd0ab, $c85cb, $c0179];
-const $c408e = new Map([["entry_tension", $c8c7b], ["exit_tension", $cdeb8], ["effective_tension", $c3b23], ["power", $c1585], ["run", $c06e6], ["share", $c62e6], ["speeds", $cd0ab], ["diameters", $c85cb], ["motor", $c0179]]);
+const $ca64e = [$c8c7b5, $cdeb8, $c3b23, $c1585, $c06e6, $c62e6, $cd0ab, $c8c23, $c85cb, $c0179];
+const $c408e = new Map([["entry_tension", $c8c7b5], ["exit_tension", $cdeb8], ["effective_tension", $c3b23], ["power", $c1585], ["run", $c06e6], ["share", $c62e6], ["speeds", $cd0ab], ["uncertainty", $c8c23], ["diameters", $c85cb], ["motor", $c0179]]);
 const $c8384 = $made(tables$Table, $c38db, [null, null, $ca64e, $c408e]);
 const $cf664 = $made(Entry, $cc442, ["train", $c8384, false, "", "", "train", ""]);
-const $ccce2 = [$cb73a, $c34bd, $ce3f2, $cb10e, $c750b, $cfe86, $c2dd7, $c141c, $c7c86, $c8364, $cdc1c, $c25c2, $cdb8f, $c490f, $c1441, $cf664, $cb32b];
-const $ca19c = new Map([["format", $cb73a], ["title", $c34bd], ["description", $ce3f2], ["creep_limit", $cb10e], ["condition", $c750b], ["belt", $cfe86], ["pulley", $c2dd7], ["lagging", $c141c], ["load_case", $c7c86], ["conveyor", $c8364], ["take_up", $cdc1c], ["design_standard", $c25c2], ["safety_factor", $cdb8f], ["sag", $c490f], ["covered", $c1441], ["train", $cf664], ["motion", $cb32b]]);
+const $ccce2 = [$cb73a, $c34bd, $ce3f29, $cb10e, $c750b, $cfe86, $c2dd7, $c141c, $c7c86, $c8364, $cdc1c, $c25c2, $cdb8f, $c490f, $c1441, $cf664, $cb32b, $c1e1e];
+const $ca19c = new Map([["format", $cb73a], ["title", $c34bd], ["description", $ce3f29], ["creep_limit", $cb10e], ["condition", $c750b], ["belt", $cfe86], ["pulley", $c2dd7], ["lagging", $c141c], ["load_case", $c7c86], ["conveyor", $c8364], ["take_up", $cdc1c], ["design_standard", $c25c2], ["safety_factor", $cdb8f], ["sag", $c490f], ["covered", $c1441], ["train", $cf664], ["motion", $cb32b], ["learned", $c1e1e]]);
 const $c8e8b = $made(tables$Table, $c38db, [Drive, null, $ccce2, $ca19c]);
-const $ca366 = $re("[A-Za-z0-9_-]{1,60}", "");
+const $c2c8e = ["entry_tension", "exit_tension", "effective_tension", "power", "run", "uncertainty"];
 const $cc303 = new Map([["The pulley transmits its load.", true], ["Gross slip: no creep gives enough friction for this tension ratio. Raise the slack-side tension (take-up), increase the wrap angle, or choose a lagging with more friction.", false], ["The solver did not reach its accuracy on this arc. Please report the drive file; until then change a value slightly.", false], ["The drives transmit the load.", true], ["Gross slip: a drive cannot transmit its share of the load. Raise the slack-side tension (take-up), bring the speeds closer together, or choose a lagging with more friction.", false], ["No operating point: a motor would have to work outside its curve. Change its set speed or gear, or choose another motor.", false], ["The solver did not reach its accuracy on this train. Please report the drive file; until then change a value slightly.", false]]);
 const $cf933 = new Map([["illustrative", "illustrative: it describes no real product"], ["calibrated", "calibrated: it was fitted to a known result"]]);
 const $c5dd1 = ["illustrative", "calibrated", "estimated"];
@@ -9594,10 +11737,11 @@ const $c5d85 = $made(Rule, $cc967, ["tested_slip_speed", "the slip speed tested"
 const $c0d6e = $made(Rule, $cc967, ["balance", "the energy balance", "INTERNAL ERROR", NaN, false, true, "number", "", false, null, "", null, null, null, null, null, of_arc___balance]);
 const $c8634 = $made(Rule, $cc967, ["sag", "the sag of the belt", "ATTENTION", NaN, false, false, "force", "raise", true, null, "", of_drive___slack_end, of_drive___sag_tension, null, null, of_drive___sag, null]);
 const $cedd5 = [$c960d, $cc27f, $c8a85, $cef26, $c2e75, $c8994, $c5c30, $c25bf, $c72eb, $ce298, $cb3d1, $cc16f, $cfecd, $cabd6, $c3f6d, $c5a91, $c5d85, $c0d6e, $c8634];
-const $c8c32 = ["running", "runs", "steady", "continuous", "downhill", "regenerative", "regenerating", "generating", "after", "before", "between", "no", "non", "not", "without", "released", "off"];
-const $cf0cb = ["start", "starts", "starting", "startup", "restart", "restarting", "acceleration", "accelerating"];
-const $c2607 = ["stop", "stops", "stopping", "estop", "brake", "brakes", "braking", "deceleration", "decelerating"];
-const $c626f = new Map([["starting", $cf0cb], ["braking", $c2607]]);
+const $cae1d = new Map([[228, 97], [225, 97], [224, 97], [226, 97], [227, 97], [229, 97], [233, 101], [232, 101], [234, 101], [235, 101], [237, 105], [236, 105], [238, 105], [239, 105], [246, 111], [243, 111], [242, 111], [244, 111], [245, 111], [250, 117], [249, 117], [251, 117], [252, 117], [231, 99], [241, 110]]);
+const $c3b1b = ["running", "runs", "steady", "continuous", "downhill", "regenerative", "regenerating", "generating", "after", "before", "between", "no", "non", "not", "without", "released", "off", "betrieb", "nach", "vor", "ohne", "sin", "despues", "sans", "apres", "sem", "depois", "senza", "dopo"];
+const $cc951 = ["start", "starts", "starting", "startup", "restart", "restarting", "acceleration", "accelerating", "anlauf", "anfahren", "anfahrt", "hochlauf", "beschleunigung", "arranque", "aceleracion", "demarrage", "partida", "aceleracao", "avviamento", "avvio", "accelerazione"];
+const $cab57 = ["stop", "stops", "stopping", "estop", "brake", "brakes", "braking", "deceleration", "decelerating", "bremsen", "bremsung", "notaus", "nothalt", "verzogerung", "frenado", "parada", "desaceleracion", "freinage", "arret", "frenagem", "desaceleracao", "frenata", "frenatura", "arresto"];
+const $c29fa = new Map([["starting", $cc951], ["braking", $cab57]]);
 const $ca865 = $made(Rule, $cc967, ["pulley_diameter", "the minimum pulley diameter of the belt", "FAILS", NaN, false, false, "length", "", true, null, "", of_drive___diameter, of_drive___least_diameter, null, null, of_drive___bending, null]);
 const $c35d3 = ["Transition", "GrippingPulley"];
 const $c347b = [1.0, 2.0];
@@ -9624,16 +11768,50 @@ const $cf2bd = [0.002, 0.05];
 const $c9115 = new Map([["spacing", $c068a], ["line_mass", $c609e], ["share", $cf2bd]]);
 const $ca9bc = [1.0, 9.5];
 const $c2448 = [1.05, 2.5];
-const $cdf4e = new Map([["length_coefficient", $ca9bc], ["start_factor", $c2448]]);
+const $c1fd0 = [0.3, 6.0];
+const $c30d6 = [0.5, 12.0];
+const $cdf4e = new Map([["length_coefficient", $ca9bc], ["start_factor", $c2448], ["carry_spacing", $c1fd0], ["return_spacing", $c30d6], ["sag_limit", $cf2bd]]);
+const $c0bb1 = [20.0, 20000.0];
+const $cc403 = [0.01, 0.04];
+const $c7f69 = [1.0, 200.0];
+const $c7e32 = [0.5, 100.0];
+const $c3138 = new Map([["curve_radius", $c0bb1], ["friction_factor", $cc403], ["carry_idler_mass", $c7f69], ["return_idler_mass", $c7e32], ["carry_spacing", $c1fd0], ["return_spacing", $c30d6]]);
+const $c6c7f = [1.0, 15000.0];
+const $c869b = [0.5, 4000.0];
+const $ceec6 = [0.1, 12.0];
+const $cf4a1 = [0.1, 4.0];
+const $cacfd = [0.1, 30.0];
+const $c3196 = [100.0, 8000.0];
+const $c2b5d = [0.2, 1.2];
+const $ce719 = new Map([["capacity", $c6c7f], ["material_mass", $c869b], ["material_speed", $ceec6], ["skirt_width", $cf4a1], ["acceleration_length", $cacfd], ["density", $c3196], ["belt_friction", $c2b5d], ["skirt_friction", $c2b5d]]);
+const $ca0e8 = [0.1, 3.0];
+const $c597e = [0.02, 0.8];
+const $cec4c = [0.05, 6.3];
+const $c1853 = [10.0, 20000.0];
+const $c4ea5 = [0.001, 0.1];
+const $c2070 = [3000.0, 300000.0];
+const $caade = [0.1, 1.2];
+const $c3927 = [0.3, 20000.0];
+const $cb855 = [0.0017, 0.09];
+const $c9579 = [0.1, 1.0];
+const $c297d = [10.0, 200000.0];
+const $cb38d = new Map([["diameter", $ca0e8], ["shaft_diameter", $c597e], ["wrap_angle", $cec4c], ["mass", $c1853], ["width", $cf4a1], ["thickness", $c4ea5], ["pressure", $c2070], ["friction", $caade], ["length", $c3927], ["density", $c3196], ["angle", $cb855], ["trough_coefficient", $c9579], ["force", $c297d]]);
+const $cb442 = [2.0, 150.0];
+const $c1c3c = [1e-06, 0.001];
+const $ccd14 = [0.0001, 0.05];
+const $c2a1b = [0.2, 100.0];
+const $c18a1 = new Map([["temperature_range", $cb442], ["thermal_expansion", $c1c3c], ["permanent_elongation", $ccd14], ["splice_length", $c2a1b]]);
+const $c64a6 = [1.0, 60.0];
+const $c401a = [0.01, 0.05];
+const $c4674 = new Map([["idler_friction", $c64a6], ["ky", $c401a], ["other", $c297d]]);
 const $c19ff = [300000.0, 100000000.0];
 const $c418f = [1e-13, 1e-10];
 const $cee2a = [0.01, 1.0];
 const $cc366 = new Map([["elastic_modulus", $c19ff], ["wear_coefficient", $c418f], ["belt_energy_share", $cee2a]]);
 const $c9716 = [0.002, 0.5];
 const $c7c50 = [0.0005, 0.06];
-const $cd3f2 = [0.1, 4.0];
 const $c2eba = [0.15, 1.0];
-const $ce4fb = new Map([["width", $c9716], ["height", $c7c50], ["stiffening", $cd3f2], ["contact_fraction", $c2eba]]);
+const $ce4fb = new Map([["width", $c9716], ["height", $c7c50], ["stiffening", $cf4a1], ["contact_fraction", $c2eba]]);
 const $c2559 = [0.05, 200.0];
 const $cace2 = new Map([["area", $c2559]]);
 const $c5669 = [0.05, 1.3];
@@ -9656,7 +11834,7 @@ const $c25f8 = [1.5, 5.0];
 const $cd787 = new Map([["gear_ratio", $c1064], ["gear_efficiency", $c95b3], ["motor_efficiency", $c9405], ["droop", $c61d8], ["torque_limit", $ce8a9], ["breakdown_ratio", $c25f8]]);
 const $cdb16 = [0.1, 5.0];
 const $cca9c = new Map([["ratio", $cdb16]]);
-const $ce207 = new Map([["Belt", $c3e28], ["TakeUp", $c7e9b], ["DesignStandard", $c36e1], ["SafetyFactors", $c2789], ["Sag", $c9115], ["Conveyor", $cdf4e], ["Lagging", $cc366], ["Block", $ce4fb], ["Cost", $cace2], ["ConditionFactor", $c85db], ["GrippingPulley", $c5159], ["Transition", $cd433], ["Across", $cd40e], ["Motor", $cd787], ["TorqueFollower", $cca9c]]);
+const $ce207 = new Map([["Belt", $c3e28], ["TakeUp", $c7e9b], ["DesignStandard", $c36e1], ["SafetyFactors", $c2789], ["Sag", $c9115], ["Conveyor", $cdf4e], ["Flight", $c3138], ["LoadingPoint", $ce719], ["Local", $cb38d], ["Travel", $c18a1], ["Cema", $c4674], ["Lagging", $cc366], ["Block", $ce4fb], ["Cost", $cace2], ["ConditionFactor", $c85db], ["GrippingPulley", $c5159], ["Transition", $cd433], ["Across", $cd40e], ["Motor", $cd787], ["TorqueFollower", $cca9c]]);
 const $cad03 = ["mm", "m", "cm", "in", "ft"];
 const $c358b = ["kN", "N", "lbf", "kgf", "tf", "MN"];
 const $ccdcc = ["kN/m", "N/m", "PIW", "N/mm", "MN/m"];
@@ -9667,10 +11845,11 @@ const $c3320 = ["kW", "W", "hp", "MW"];
 const $cf2ed = ["t", "kg", "g"];
 const $c172d = ["kg/m", "g/m", "t/m"];
 const $c6e75 = ["t/h", "kg/s", "kg/h"];
+const $cbfef = ["kg/m3", "t/m3", "g/cm3"];
 const $c4916 = ["kg m2", "t m2", "kg cm2"];
 const $c9fdd = ["kN m", "N m", "MN m"];
 const $cf51b = ["s", "min", "ms", "h"];
-const $c5787 = new Map([["length", $cad03], ["force", $c358b], ["force_per_width", $ccdcc], ["pressure", $c0321], ["speed", $ca69a], ["angle", $c0d79], ["power", $c3320], ["mass", $cf2ed], ["mass_per_length", $c172d], ["mass_flow", $c6e75], ["moment_of_inertia", $c4916], ["torque", $c9fdd], ["time", $cf51b]]);
+const $c5787 = new Map([["length", $cad03], ["force", $c358b], ["force_per_width", $ccdcc], ["pressure", $c0321], ["speed", $ca69a], ["angle", $c0d79], ["power", $c3320], ["mass", $cf2ed], ["mass_per_length", $c172d], ["mass_flow", $c6e75], ["density", $cbfef], ["moment_of_inertia", $c4916], ["torque", $c9fdd], ["time", $cf51b]]);
 const $ca493 = new Map([["wrap pressure at the belt rating", "diameter and belt.rating"], ["belt strength over rating", "belt.strength and belt.rating: both per width"], ["belt modulus over rating", "belt.modulus and belt.rating: both per width"], ["belt mass", "belt.mass: per length of belt"], ["tension for sag", "idler_spacing, line_mass and share of [sag]"]]);
 const $cb829 = new Place("", "", "", "", "", null);
 const $cc9d1 = new Map([["shell_profile", 0.015], ["worn_depth", 0.025], ["build_up", 0.03]]);
@@ -9698,9 +11877,11 @@ const $c30c8 = ["take_up_tension", 300.0, 2000000.0];
 const $c7f14 = ["counterweight", 30.0, 200000.0];
 const $ce959 = [$c643a, $cae2d, $c5d852, $c78e7, $c0502, $c3d98, $cd613, $c66b1, $c2ab5, $c9550, $caac3, $cb323, $c30c8, $c7f14];
 const $c660d = ["belt_mass", "carry_idler_mass", "return_idler_mass"];
-const $cc8f7 = $made(Limit, $cf70d, ["speed", 0.0, Infinity, true, false]);
-const $cfa18 = $made(Limit, $cf70d, ["number", 0.01, 100.0, false, false]);
-const $ccebb = new Map([["length", $c2266], ["lift", $c82e7], ["belt_mass", $c54af], ["carry_idler_mass", $ca8cb], ["return_idler_mass", $c207a], ["material_mass", $c54af], ["capacity", $ccbd2], ["friction_factor", $c3430], ["length_coefficient", $cec54], ["secondary_resistance", $c4489], ["special_resistance", $c4489], ["return_share", $cb01c], ["start_factor", $c3524], ["start_time", $c267d], ["stop_time", $c267d], ["take_up_tension", $cc768], ["counterweight", $c5869], ["take_up_distance", $cb6bd], ["speed", $cc8f7], ["sheave_ratio", $cfa18]]);
+const $c1de8 = $made(Limit, $cf70d, ["speed", 0.0, Infinity, true, false]);
+const $c6c14 = $made(Limit, $cf70d, ["number", 0.01, 100.0, false, false]);
+const $c94e7 = $made(Limit, $cf70d, ["length", 0.0, 10.0, true, false]);
+const $cf1ee = $made(Limit, $cf70d, ["length", 0.0, 0.2, true, false]);
+const $cc312 = new Map([["length", $c43da], ["lift", $cb699], ["belt_mass", $cd830], ["carry_idler_mass", $cd2f7], ["return_idler_mass", $caf1b], ["material_mass", $cd830], ["capacity", $c7957], ["friction_factor", $c66b2], ["length_coefficient", $c0af8], ["secondary_resistance", $c05e0], ["special_resistance", $c05e0], ["return_share", $caaf2], ["start_factor", $c6d8e], ["start_time", $c9c97], ["stop_time", $c9c97], ["take_up_tension", $ca33b], ["counterweight", $caef3], ["take_up_distance", $c592c], ["speed", $c1de8], ["sheave_ratio", $c6c14], ["carry_spacing", $cc382], ["return_spacing", $cc382], ["sag_limit", $cdf72], ["rest_friction", $cd5b3], ["width", $c94e7], ["thickness", $cf1ee]]);
 const $ca926 = [0.2, 4.0];
 const $c3603 = [100000.0, 1000000000.0];
 const $c788a = [0.05, 15.0];
@@ -9714,7 +11895,7 @@ const $cba68 = [100000.0, 50000000.0];
 const $c850d = [100000.0, 5000000000.0];
 const $c99dc = [5000.0, 2000000.0];
 const $cdf7a = [10000.0, 50000000.0];
-const $cc043 = [50000.0, 10000000.0];
+const $cc0431 = [50000.0, 10000000.0];
 const $cfa622 = [0.1, 3.0];
 const $c8474 = [500.0, 10000000.0];
 const $cbfa0 = [4.0, 20.0];
@@ -9722,7 +11903,7 @@ const $ca770 = [15.0, 1000.0];
 const $c5622 = [0.0, 1600000.0];
 const $cb0f8 = [250.0, 20000000.0];
 const $cf359 = [1.0, 130.0];
-const $c39c4 = [$ca926, $c3603, $c788a, $cfb28, $cf8a3, $cd717, $c6630, $c7599, $c8e40, $cba68, $c850d, $c99dc, $cdf7a, $cdf7a, $cc043, $cfa622, $c8474, $cbfa0, $ca770, $c5622, $c8474, $c8474, $cb0f8, $cf359];
+const $c39c4 = [$ca926, $c3603, $c788a, $cfb28, $cf8a3, $cd717, $c6630, $c7599, $c8e40, $cba68, $c850d, $c99dc, $cdf7a, $cdf7a, $cc0431, $cfa622, $c8474, $cbfa0, $ca770, $c5622, $c8474, $c8474, $cb0f8, $cf359];
 const $ccb55 = [500.0, 2000000.0];
 const $c7257 = ["minimum tested pressure", "pressure", $ccb55];
 const $cfba8 = [10000.0, 10000000.0];
@@ -9735,17 +11916,17 @@ const $cc189 = new Map([["pressure_min", $c7257], ["pressure_max", $c4161], ["sl
 const $cece7 = [0.03, 1.9];
 const $c5944 = ["force", "mass_per_length"];
 const $cb216 = ["illustrative", "untested", "estimated", "calibrated"];
-const $cd058 = new Map([["shear_modulus", "G"], ["compression_modulus", "E_c"], ["in_plane_shear_stiffness", "in-plane shear stiffness"]]);
+const $cd058 = new Map([["shear_modulus", "G"], ["compression_modulus", "E_c"], ["in_plane_shear_stiffness", "in-plane shear stiffness"], ["modulus", "belt modulus"], ["rating", "belt rating"], ["least_pulley_diameter", "minimum pulley"]]);
 const $c2aa0 = [0.0015, 0.006];
 const $c02c1 = [0.003, 0.015];
 const $c1f4f = [$c2aa0, $c02c1];
 const $cd36e = new WeakMap();
-const $c63ca = [180.0, 1.2];
+const $c63caa = [180.0, 1.2];
 const $c0098 = [200.0, 1.0];
 const $cba05 = [210.0, 1.0];
 const $c7643 = [220.0, 0.9];
 const $cc957 = [240.0, 0.8];
-const $c42e0 = [$c63ca, $c0098, $cba05, $c7643, $cc957];
+const $c42e0 = [$c63caa, $c0098, $cba05, $c7643, $cc957];
 const $c8440 = [180.0, 0.8];
 const $c77a7 = [200.0, 0.7];
 const $c2923 = [210.0, 0.7];
@@ -9788,8 +11969,8 @@ const $c2cc9 = [0.35, 0.35];
 const $c81c0 = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (edition not stated there; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
 const $c33d6 = $made(DesignFriction, $c9a2a, ["DIN 22101", "polyurethane", "wet", $c2cc9, $c81c0]);
 const $c46cd = [0.2, 0.2];
-const $c2070 = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (edition not stated there; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
-const $c4015 = $made(DesignFriction, $c9a2a, ["DIN 22101", "polyurethane", "wet and dirty", $c46cd, $c2070]);
+const $c20705 = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (edition not stated there; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
+const $c4015 = $made(DesignFriction, $c9a2a, ["DIN 22101", "polyurethane", "wet and dirty", $c46cd, $c20705]);
 const $cf072 = [0.4, 0.45];
 const $c269e = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (edition not stated there; that of the resistances here is 2002-08)", "", ""]);
 const $c762e = $made(DesignFriction, $c9a2a, ["DIN 22101", "ceramic", "dry", $cf072, $c269e]);
@@ -9860,21 +12041,25 @@ const $ca54f = [10, 10];
 const $c6e63 = $made(Provenance, $c535d, ["published", "Elastotec, lagging comparison, elastotec.com.au/lagging-comparison", "", "life of ceramic: over 10 years; the vendor's own assumptions; currency not stated there, AUD assumed"]);
 const $ce13a = $made(LaggingCost, $c3f74, ["ceramic, hot vulcanised", "ceramic", 4950, $ca54f, $c6e63]);
 const $c2342 = [$c3f83, $cf10e, $ce13a];
+const $c97d8 = new ModulusRatio(1.6, 2.0, "permanent and elastic elongation at the rating of 16 fabric belts (Goodyear EP conveyor belt catalogue, 2012, p. 15 and 21)");
+const $ccd79 = new ModulusRatio(1.5, 2.2, "permanent elongation of 0.1 to 0.25 % (conveyorbeltguide.com, Testing), elastic elongation at the rating (Goodyear EP conveyor belt catalogue, 2012)");
+const $c8e29 = new Map([["fabric", $c97d8], ["steel cord", $ccd79]]);
 const $c838e = $made(Provenance, $c535d, ["given", "", "", "estimated: belt covers have 0.8 to 1.5 MPa (116 to 218 psi)"]);
 const $c7015 = $made(Provenance, $c535d, ["given", "", "", ""]);
 const $c7515 = $made(Provenance, $c535d, ["published", "B. DeVries, A model of lagging friction as a function of creep history and wrap pressure", "", "the conservative customary limit"]);
 const $cac76 = new Map([["entry_tension", "T1"], ["exit_tension", "T2"]]);
 const $c2862 = $re("\\.?([A-Za-z_][A-Za-z0-9_-]*)|\\[(\\d+)\\]", "");
-const $c246c = ["format", "name", "title", "description", "surface", "thickness", "elastic_modulus", "shear_modulus", "compression_modulus", "block", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "cost", "slip_speed", "temperature", "condition_factor", "law", "provenance", "sources", "notes"];
+const $c246c = ["format", "name", "title", "description", "surface", "thickness", "elastic_modulus", "shear_modulus", "compression_modulus", "block", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "cost", "slip_speed", "temperature", "condition_factor", "law", "uncertainty", "provenance", "sources", "notes"];
 const $c6dce = ["name", "title", "surface", "elastic_modulus", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "description"];
+const $c5832 = ["friction", "slip", "thickness", "shear_modulus", "compression_modulus"];
 const $c65ce = ["elastic_modulus", "shear_modulus", "compression_modulus", "block"];
 const $c9095 = ["thickness", "shear_modulus", "compression_modulus"];
 const $cd06c = new Map([["width", $c318b], ["height", $cd6edf], ["stiffening", $caba4], ["contact_fraction", $cbc3c]]);
 const $cf9e0 = new Map([["friction_coefficient", "friction"], ["slip_max", "tested_slip"], ["tested", "tested_pressure"], ["pieces.a", "A"], ["values", "rows"], ["peak_friction", "knots"], ["peak_slip", "knots"], ["post_peak_slope", "knots"], ["residual_friction", "knots"]]);
 const $c2f5d = new Map([["integral-log", "knots"], ["table", "rows"]]);
 const $cfe34 = $re("\\s*(?<sign>[+-])?\\s*(?<number>(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)?\\s*\\*?\\s*(?<factor>p(?:\\s*\\^\\s*(?:\\(\\s*(?<within>[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)\\s*\\)|(?<power>[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)))?|ln\\(\\s*p\\s*\\)(?:\\s*\\^\\s*(?<log_power>[123]))?|exp\\((?<exponent>(?:[^()]|\\(\\s*p\\s*\\))*)\\))?\\s*", "");
-const $c5f05 = $made(Name, $c4a10, [60]);
-const $cb374 = $made(Entry, $cc442, ["name", $c5f05, true, "", "name = \"my-lagging\"", "name", ""]);
+const $c5f05e = $made(Name, $c4a10, [60]);
+const $cb374 = $made(Entry, $cc442, ["name", $c5f05e, true, "", "name = \"my-lagging\"", "name", ""]);
 const $c390e5 = $made(Quantity, $cd20a, ["length", $c3f61]);
 const $c98a2 = $made(Entry, $cc442, ["thickness", $c390e5, false, "", "", "thickness", ""]);
 const $cb3db = $made(Quantity, $cd20a, ["pressure", $cc7a6]);
@@ -9893,8 +12078,8 @@ const $c18fd = $made(Quantity, $cd20a, ["pressure", $c95d2]);
 const $c3531 = $made(Entry, $cc442, ["bond_strength", $c18fd, false, "", "", "bond_strength", ""]);
 const $cdb8f1 = $made(Quantity, $cd20a, ["pressure", $cc04b]);
 const $c9aeb = $made(Entry, $cc442, ["fatigue_limit", $cdb8f1, false, "", "", "fatigue_limit", ""]);
-const $cc3b8 = [$cb73a, $cb374, $cd66f, $cc3a1, $c5462, $c98a2, $c6b4d, $ce5e5, $c8c8d, $c29e5, $cb25b, $c9e46, $c3531, $c9aeb, $c03097, $c2480, $c2fb3, $c7315, $c8818, $c69c3, $c9b00, $c0a9d];
-const $cec4e = new Map([["format", $cb73a], ["name", $cb374], ["title", $cd66f], ["description", $cc3a1], ["surface", $c5462], ["thickness", $c98a2], ["elastic_modulus", $c6b4d], ["shear_modulus", $ce5e5], ["compression_modulus", $c8c8d], ["block", $c29e5], ["wear_coefficient", $cb25b], ["belt_energy_share", $c9e46], ["bond_strength", $c3531], ["fatigue_limit", $c9aeb], ["cost", $c03097], ["slip_speed", $c2480], ["temperature", $c2fb3], ["condition_factor", $c7315], ["law", $c8818], ["provenance", $c69c3], ["sources", $c9b00], ["notes", $c0a9d]]);
+const $cc3b8 = [$cb73a, $cb374, $cd66f, $cc3a1, $c5462, $c98a2, $c6b4d, $ce5e5, $c8c8d, $c29e5, $cb25b, $c9e46, $c3531, $c9aeb, $c03097, $c2480, $c2fb3, $c7315, $c8818, $c5c71, $c69c3, $c9b00, $c0a9d];
+const $cec4e = new Map([["format", $cb73a], ["name", $cb374], ["title", $cd66f], ["description", $cc3a1], ["surface", $c5462], ["thickness", $c98a2], ["elastic_modulus", $c6b4d], ["shear_modulus", $ce5e5], ["compression_modulus", $c8c8d], ["block", $c29e5], ["wear_coefficient", $cb25b], ["belt_energy_share", $c9e46], ["bond_strength", $c3531], ["fatigue_limit", $c9aeb], ["cost", $c03097], ["slip_speed", $c2480], ["temperature", $c2fb3], ["condition_factor", $c7315], ["law", $c8818], ["uncertainty", $c5c71], ["provenance", $c69c3], ["sources", $c9b00], ["notes", $c0a9d]]);
 const $c904b = $made(tables$Table, $c38db, [Lagging, null, $cc3b8, $cec4e]);
 const $c2a62 = ["belt", "train", "conveyor", "motion"];
 const $c7a99 = new FileKind("a drive file", "solve", $c2a62);
@@ -9904,14 +12089,16 @@ const $c32d2 = ["axis", "sampling"];
 const $cb0c8 = new FileKind("a study file", "study", $c32d2);
 const $cea33 = ["rig", "test", "digitised"];
 const $c6274 = new FileKind("a test plan", "fit", $cea33);
-const $c2c05 = ["number", "record", "prior", "zero"];
-const $c90d1 = new FileKind("a calibrate file", "calibrate", $c2c05);
+const $c2c05d = ["number", "record", "prior", "zero"];
+const $c90d1 = new FileKind("a calibrate file", "calibrate", $c2c05d);
+const $c1be6 = ["belt_speed", "files", "event"];
+const $cf576 = new FileKind("a learn file", "learn", $c1be6);
 const $c19c3 = ["law"];
 const $cb4d8 = new FileKind("a lagging file", "lagging", $c19c3);
-const $c0407 = new Map([["drive", $c7a99], ["choose", $ccd15], ["study", $cb0c8], ["plan", $c6274], ["calibrate", $c90d1], ["lagging", $cb4d8]]);
+const $c0407 = new Map([["drive", $c7a99], ["choose", $ccd15], ["study", $cb0c8], ["plan", $c6274], ["calibrate", $c90d1], ["learn", $cf576], ["lagging", $cb4d8]]);
 const $cb919 = ["compression_modulus", "block", "replaced_block"];
 const $c3e4a = [$cb919];
-const $c31a8 = new Set(["belt_energy_share", "block", "bond_strength", "compression_modulus", "condition_factor", "cost", "elastic_modulus", "fatigue_limit", "law", "shear_modulus", "slip_speed", "temperature", "thickness", "wear_coefficient"]);
+const $c31a8 = new Set(["belt_energy_share", "block", "bond_strength", "compression_modulus", "condition_factor", "cost", "elastic_modulus", "fatigue_limit", "law", "shear_modulus", "slip_speed", "temperature", "thickness", "uncertainty", "wear_coefficient"]);
 const $ca1a4 = new RunsGain(0.0, 0.0);
 const $cde36 = $made(Provenance, $c535d, ["given", "", "", "belt_mass of [conveyor]"]);
 const $cf273 = ["effective_tension", "torque", "power"];
@@ -9920,6 +12107,7 @@ const $c6b61 = new Growth(1.0, 0.0);
 const $cfc62 = ["data", "sense"];
 const $c7ecb = new Map([["NOT CHECKED", 0], ["OK", 1], ["ATTENTION", 2], ["FAILS", 3], ["INTERNAL ERROR", 4]]);
 const $c76d1 = new Map([["balance", 0.0], ["train_balance", 0.0], ["across_balance", 0.0], ["gross_slip", 1.0], ["operating_point", 1.0], ["slack_edge", 1.0], ["opposing_drives", 2.0], ["run", 2.0], ["vibration", 2.0], ["belt_tension", 3.0], ["momentary_tension", 3.0], ["belt_safety", 3.0], ["face_pressure", 3.0], ["pulley_diameter", 3.0], ["edge_tension", 3.0], ["static_edge_tension", 3.0], ["static_centre_tension", 3.0], ["transition_length", 3.0], ["uneven_face_pressure", 3.0], ["crown", 3.0], ["sag", 3.0], ["taut", 3.0], ["motor_load", 3.0], ["momentary_load", 3.0], ["motor_heat", 3.0], ["bond_stress", 4.0], ["fatigue_stress", 4.0], ["uneven_bond_stress", 4.0], ["uneven_fatigue_stress", 4.0], ["creep", 5.0], ["uneven_creep", 5.0], ["design_standard", 6.0], ["tested_slip", 7.0], ["tested_slip_speed", 7.0], ["tested_pressure_max", 7.0], ["tested_pressure_min", 7.0], ["uneven_pressure", 7.0], ["creep_interval", 8.0], ["cover_creep", 8.0], ["wet_creep", 9.0], ["condition", 10.0], ["fit", 10.0], ["belt_thickness", 10.0], ["take_up", 10.0], ["meeting", 10.0], ["case_kind", 10.0], ["uneven_wear", 10.0], ["usual_sizes", 11.0], ["profile_extent", 11.0], ["reserve", 12.0]]);
+const $cda4c = ["gross_slip", "design_standard", "belt_tension", "momentary_tension", "belt_safety"];
 const $ca735 = ["illustrative", "untested", "estimated", "calibrated"];
 const $ce5b4 = $Decimal.of("0");
 const $c0555 = [""];
@@ -9929,23 +12117,24 @@ const $c07bd = $made(Trend, $c2a6c, ["polynomial", $ce094, 1]);
 const $cc2ec = [1000000000.0];
 const $c07bd5 = $made(Trend, $c2a6c, ["polynomial", $cc2ec, 1]);
 const $c6e1f = new Map([["factor", $cd2d2]]);
-const $c25b9 = new Map([["x", $c9b84], ["y", $c9b84], ["diameter", $cdca4]]);
+const $c25b9 = new Map([["x", $c9b84], ["y", $c9b84], ["diameter", $c3de9]]);
 const $cb278 = $made(Limit, $cf70d, ["force", 0.1, 1000000000.0, false, false]);
 const $cf120 = new Map([["entry", $cb6cf], ["exit", $cb278]]);
+const $ca880 = new Map([["position", $ccabe], ["brake_share", $c6ee3]]);
 const $cd5c6 = new Map([["creep_limit", $c2680]]);
 const $cd5c69 = new Map([["creep_limit", $c2680]]);
+const $ce600 = new Map([["entry_tension", $cb6cf], ["exit_tension", $cb278]]);
 const $c51f1 = $made(Limit, $cf70d, ["number", 1, 8, false, false]);
 const $c33f2 = new Map([["rated_power", $c67e0], ["rated_speed", $cb286], ["gear_ratio", $c2a89], ["gear_efficiency", $ce03b], ["motor_efficiency", $cf04b], ["count", $c51f1]]);
 const $ca384 = new Map([["rated_power", $c67e0], ["rated_speed", $cb286], ["gear_ratio", $c2a89], ["gear_efficiency", $ce03b], ["motor_efficiency", $cf04b], ["count", $c51f1], ["setting", $c44c9], ["droop", $c79a1], ["torque_limit", $c7b1d]]);
 const $c98ae = new Map([["thickness", $c3f61], ["shear_modulus", $c8b29], ["compression_modulus", $cc576], ["elastic_modulus", $cc7a6], ["wear_coefficient", $c7180], ["belt_energy_share", $c36e6], ["bond_strength", $c95d2], ["fatigue_limit", $cc04b]]);
 const $c2d26 = new Map([["ratio", $cc754]]);
-const $ce600 = new Map([["entry_tension", $cb6cf], ["exit_tension", $cb278]]);
 const $c3530 = new Map([["sheave_ratio", $cf433]]);
 const $ce0a3 = new Map([["friction", $c724b], ["start_factor", $c83ab]]);
 const $cc53c = new Map([["running", $c83ab], ["starting", $c83ab], ["braking", $c83ab]]);
 const $c2839 = ["of"];
 const $c813f = ["key", "kind", "required", "example", "attribute"];
-const $c1e36 = ["dimension", "least"];
+const $cb1e2 = ["dimension", "least", "most"];
 const $c0b27 = ["kind"];
 const $c982d = ["text"];
 const $c93f2 = ["name", "what", "missed", "is_percent", "at_most", "dimension", "tension", "binding", "firm", "value", "limit", "text"];
@@ -9961,6 +12150,7 @@ const $c7f7c = new Map([["polynomial", $ccbad], ["logarithmic", $c3044], ["power
 const $c843e = $made(_OfClass, [], []);
 const $ca8ba = new Map([[10, null], [9, null]]);
 const $cdade = ["1", "0.1", "0.01", "0.001", "10"];
+const $c8c06 = $re("(.+?)%\\s*(?:at|@|bei|a|à|/)\\s*(.+?)%(?:.*strength)?", "i");
 const $c9234 = $re("(?:ST[ -]?|(?:\\b(?:EP|EE|NN|PN|NP|PP|EB)[ -]?|^)(?=\\d+/\\d))(\\d{3,5})\\b", "");
 const $c992e = [80.0, 1.92];
 const $c3a02 = [90.0, 1.86];
@@ -9985,6 +12175,12 @@ const $cd2d7 = [1000.0, 1.09];
 const $cd984 = [1500.0, 1.06];
 const $c7865 = [2000.0, 1.05];
 const $c2838 = [$c992e, $c3a02, $c1038, $cbcd2, $c006c, $ce3cb, $c5cce, $cb969, $c6d8dc, $c7781, $c7f11, $c60b9, $c509f, $c58f0, $cd0c9, $cfa11, $cb861, $c55cd, $cf10c, $cd2d7, $cd984, $c7865];
+const $c695b = ["full", "empty", "inclines", "declines", "start", "stop"];
+const $c28af = ["all", "none", "inclines", "declines"];
+const $cf0a0 = ["carry", "return"];
+const $c98c4 = new Map([["loading", "ISO 5048:1989; DIN 22101:2002-08, 6.3.2: I_m (v - v0), and the skirts beside it"], ["wrap", "ISO 5048:1989: 9 B (140 + 0.01 F/B) d/D of fabric belts, 12 B (200 + 0.01 F/B) d/D of steel-cord belts"], ["bearing", "ISO 5048:1989: 0.005 F_T d0/D, at pulleys that are not driven"], ["cleaner", "ISO 5048:1989: A p mu3"], ["skirt", "ISO 5048:1989: mu2 I_V^2 rho g l/(v^2 b1^2)"], ["tilt", "ISO 5048:1989: C_eps mu0 L (m'G + m'L) g cos delta sin eps"], ["special", "given"], ["slope", "DIN 22101:2002-08, 6.4: g H (m'G + m'L), up on one strand and down on the other"], ["inertia", "force to accelerate belt, material and rotating idlers (DIN 22101:2002-08, 7.3), the idlers with their whole rotating mass"]]);
+const $c5046 = ["main", "secondary", "loading", "wrap", "bearing", "cleaner", "slope", "special", "skirt", "tilt", "inertia"];
+const $cab60 = ["loading", "wrap", "bearing", "cleaner", "skirt", "tilt"];
 const $caac6 = $made(Limit, $cf70d, ["number", 0.0, Infinity, false, false]);
 const $cbd59 = $made(Limit, $cf70d, ["number", 1.0, Infinity, false, false]);
 const $c9bd3 = new Map([["residual_noise", $caac6], ["coverage_factor", $cbd59]]);
@@ -9993,15 +12189,26 @@ const $ce5b4b = $Decimal.of("0");
 const $cf7bc = new Map([["misalignment", $cbde1], ["deflection", $c94dd]]);
 const $c7ba7 = new Map([["diameter", $cd632], ["wrap_angle", $c1cfe], ["overrun", $cd18d], ["creep_limit", $c2680], ["mass", $c7194]]);
 const $c2d0e = new Map([["spacing", $c8124], ["line_mass", $ce5b8], ["share", $c38da]]);
+const $c1fb5 = new Map([["length", $caa2d], ["lift", $c4521], ["slope", $caf42], ["curve_radius", $c60fa], ["friction_factor", $c2c94], ["carry_idler_mass", $ce405], ["return_idler_mass", $ce405], ["carry_spacing", $c3412], ["return_spacing", $c3412]]);
+const $cf8c9 = new Map([["position", $ccabe], ["capacity", $c4b8f], ["material_mass", $c642a], ["material_speed", $ca1af], ["skirt_width", $c6dc5], ["acceleration_length", $c3412], ["belt_friction", $c3f2d], ["skirt_friction", $c3f2d], ["density", $c57f6]]);
+const $c01b1 = new Map([["temperature_range", $c2cb0], ["thermal_expansion", $c4064], ["permanent_elongation", $c56d0], ["splice_length", $c5ca8]]);
+const $cdc48 = new Map([["idler_friction", $c229c], ["temperature_factor", $c0173], ["ky", $c2c05], ["other", $c734c]]);
 const $c75fc = new Map([["material", $c78fc], ["installation", $c92d0], ["area", $c0c54]]);
 const $c6657 = $made(Limit, $cf70d, ["number", 0.0, 10.0, true, false]);
 const $c6e1f0 = new Map([["factor", $c6657]]);
 const $c19bc = new Map([["rated_power", $c67e0], ["rated_speed", $cb286], ["gear_ratio", $c2a89], ["gear_efficiency", $ce03b], ["motor_efficiency", $cf04b], ["count", $c51f1], ["synchronous_speed", $c065a], ["breakdown_ratio", $c8688]]);
 const $c56ea = new Map([["length", $c96f8], ["trough_angle", $cd50c], ["centre_roll", $c3fe0]]);
+const $c0a0b = new Map([["angle", $c4a8c], ["trough_coefficient", $c18d0], ["friction", $ca38a], ["length", $cd945]]);
+const $ccbd6 = new Map([["position", $cd0e7], ["diameter", $c874c], ["shaft_diameter", $c444b], ["wrap_angle", $ca8c9], ["mass", $ce3fa9]]);
+const $c5706 = new Map([["position", $cd0e7], ["force", $cd303]]);
+const $c71085 = new Map([["position", $cd0e7], ["length", $cb596], ["width", $c874c], ["density", $cf674], ["friction", $ca38a]]);
+const $c80b6 = new Map([["position", $cd0e7], ["width", $c874c], ["thickness", $c874c], ["pressure", $c9a3e], ["friction", $ca38a]]);
 const $c1790 = ["dimension", "within"];
 const $cdba3 = ["words"];
-const $cc8d3 = [0.016, 0.03];
+const $c32fc = [0.016, 0.03];
 const $cfa4c = new Map([["distance", $c29d2]]);
+const $ceb01 = $made(Name, $c4a10, [60]);
+const $c3d72 = $made(Rows, $ce552, [$ceb01, 0, 100]);
 const $cf701 = $made(Limit, $cf70d, ["number", 0.0, 10.0, true, false]);
 const $c7f0e = $made(Quantity, $cd20a, ["number", $cf701]);
 const $c7fde = $made(Limit, $cf70d, ["rotation_speed", 0.0, Infinity, true, false]);
@@ -10011,17 +12218,19 @@ const $cd950 = $made(Rows, $ce552, [$c87f2, 1, 10]);
 Problem.$compared = Problem.$names;
 $sig(InputError, ["problems"], false);
 $sig(Report, ["file"], false);
-$sig(Report.prototype.add, ["place", "message", "remedy", "value", "code"], false);
+$sig(Report.prototype.add, ["place", "message", "remedy", "value", "code", "meant"], false);
 $sig(Record, ["values", "place", "raw", "faulty"], false);
 Provenance.$compared = Provenance.$names;
+$sig(_UnitTextError, ["message", "remedy", "name", "meant"], false);
+Unit.$compared = Unit.$names;
+BeltName.$compared = BeltName.$names;
+CatalogueBelt.$compared = CatalogueBelt.$names;
 $sig(Laggings, ["own", "folder", "allow_paths", "report"], false);
 Condition.$compared = Condition.$names;
 Condition.LIMITS = Condition.prototype.LIMITS = $c6e1f;
 Conditions.$compared = Conditions.$names;
 Point.$compared = Point.$names;
 Point.LIMITS = Point.prototype.LIMITS = $c25b9;
-$sig(_UnitTextError, ["message", "remedy", "name", "meant"], false);
-Unit.$compared = Unit.$names;
 UnitRow.$compared = UnitRow.$names;
 WidthProfile.$compared = WidthProfile.$names;
 Criteria.$compared = Criteria.$names;
@@ -10032,12 +12241,16 @@ NipTensions.$compared = NipTensions.$names;
 Tensions.$compared = ["entry", "exit"];
 Tensions.LIMITS = Tensions.prototype.LIMITS = $cf120;
 LoadCase.$compared = LoadCase.$names;
+DrivePlace.$compared = DrivePlace.$names;
+DrivePlace.LIMITS = DrivePlace.prototype.LIMITS = $ca880;
 Drive.$compared = ["title", "belt", "pulleys", "load_cases", "creep_limit", "criteria", "description"];
 Drive.LIMITS = Drive.prototype.LIMITS = $cd5c6;
 Train.$compared = ["title", "description", "belt", "pulleys", "cases", "nominal_diameters", "creep_limit", "criteria"];
 Train.LIMITS = Train.prototype.LIMITS = $cd5c69;
 $sig(Reader, ["record", "belt", "pulleys", "report", "take_up"], false);
-CatalogueBelt.$compared = CatalogueBelt.$names;
+Shares.$compared = Shares.$names;
+TrainCase.$compared = TrainCase.$names;
+TrainCase.LIMITS = TrainCase.prototype.LIMITS = $ce600;
 WrapArc.$compared = WrapArc.$names;
 $sig(WrapArc.on, ["belt", "pulley", "lagging"], true);
 in_page$Given.$compared = in_page$Given.$names;
@@ -10049,11 +12262,10 @@ Motor.$compared = Motor.$names;
 Motor.LIMITS = Motor.prototype.LIMITS = $c33f2;
 Check.$compared = Check.$names;
 Pulls.$compared = Pulls.$names;
-Shares.$compared = Shares.$names;
 Amount.$compared = Amount.$names;
 CheckText.$compared = CheckText.$names;
-Speeds.$compared = Speeds.$names;
 Owner.$compared = Owner.$names;
+Speeds.$compared = Speeds.$names;
 Sliding.$compared = Sliding.$names;
 VariableSpeed.$compared = VariableSpeed.$names;
 VariableSpeed.LIMITS = VariableSpeed.prototype.LIMITS = $ca384;
@@ -10084,15 +12296,13 @@ PressureKnots.$compared = PressureKnots.$names;
 IntegralLog.$compared = IntegralLog.$names;
 IntegralLog.title = IntegralLog.prototype.title = "integral-log law";
 Factors.$compared = Factors.$names;
-Lagging.$compared = ["name", "law", "thickness", "shear_modulus", "compression_modulus", "title", "condition", "surface", "elastic_modulus", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "cost", "fit", "factors", "condition_factors", "provenance", "sources", "scaled_by", "notes", "description"];
+Lagging.$compared = ["name", "law", "thickness", "shear_modulus", "compression_modulus", "title", "condition", "surface", "elastic_modulus", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "cost", "fit", "factors", "condition_factors", "uncertainty", "provenance", "sources", "scaled_by", "notes", "description"];
 Lagging.LIMITS = Lagging.prototype.LIMITS = $c98ae;
 LoadGiven.$compared = LoadGiven.$names;
 DrumAt.$compared = DrumAt.$names;
 Pair.$compared = Pair.$names;
 TorqueFollower.$compared = TorqueFollower.$names;
 TorqueFollower.LIMITS = TorqueFollower.prototype.LIMITS = $c2d26;
-TrainCase.$compared = TrainCase.$names;
-TrainCase.LIMITS = TrainCase.prototype.LIMITS = $ce600;
 RunsGain.$compared = RunsGain.$names;
 BehindTakeUp.$compared = BehindTakeUp.$names;
 Growth.$compared = Growth.$names;
@@ -10109,12 +12319,14 @@ $sig(Kind.prototype.built, ["value", "report"], true);
 $sig(tables$Table, null);
 $sig(tables$Table.prototype.built, ["value", "report"], true);
 Limit.$compared = Limit.$names;
+DimensionText.$compared = DimensionText.$names;
+Definition.$compared = Definition.$names;
+Usual.$compared = Usual.$names;
+Cords.$compared = Cords.$names;
 Belt.$compared = Belt.$names;
 Belt.LIMITS = Belt.prototype.LIMITS = $c2a894;
 Across.$compared = Across.$names;
 Across.LIMITS = Across.prototype.LIMITS = $cf7bc;
-DimensionText.$compared = DimensionText.$names;
-Definition.$compared = Definition.$names;
 $sig(Variant, ["tag", "meaning"], false);
 $sig(Variant.prototype.built, ["value", "report"], true);
 Pulley.$compared = Pulley.$names;
@@ -10122,11 +12334,22 @@ Pulley.LIMITS = Pulley.prototype.LIMITS = $c7ba7;
 Sag.$compared = Sag.$names;
 Sag.SOURCE = Sag.prototype.SOURCE = "belt sag: T = m' g l/(8 h), a parabola; the rule of DIN 22101 and of CEMA, Belt Conveyors for Bulk Materials (6.25 S W for 2 %, 4.2 S W for 3 %)";
 Sag.LIMITS = Sag.prototype.LIMITS = $c2d0e;
+Flight.$compared = Flight.$names;
+Flight.LIMITS = Flight.prototype.LIMITS = $c1fb5;
+LoadingPoint.$compared = LoadingPoint.$names;
+LoadingPoint.LIMITS = LoadingPoint.prototype.LIMITS = $cf8c9;
+ConveyorCase.$compared = ConveyorCase.$names;
+Travel.$compared = Travel.$names;
+Travel.LIMITS = Travel.prototype.LIMITS = $c01b1;
+Cema.$compared = Cema.$names;
+Cema.LIMITS = Cema.prototype.LIMITS = $cdc48;
+ConveyorData.$compared = ConveyorData.$names;
+ConveyorData.LIMITS = ConveyorData.prototype.LIMITS = $cc312;
 Conveyor.$compared = Conveyor.$names;
-Conveyor.LIMITS = Conveyor.prototype.LIMITS = $ccebb;
 DesignFriction.$compared = DesignFriction.$names;
 KeyFigure.$compared = KeyFigure.$names;
 LaggingCost.$compared = LaggingCost.$names;
+ModulusRatio.$compared = ModulusRatio.$names;
 Cost.$compared = Cost.$names;
 Cost.LIMITS = Cost.prototype.LIMITS = $c75fc;
 Block.$compared = Block.$names;
@@ -10140,10 +12363,28 @@ Induction.$compared = Induction.$names;
 Induction.LIMITS = Induction.prototype.LIMITS = $c19bc;
 FluidCoupling.$compared = FluidCoupling.$names;
 Load.$compared = Load.$names;
+ElongationAt.$compared = ElongationAt.$names;
 Transition.$compared = Transition.$names;
 Transition.LIMITS = Transition.prototype.LIMITS = $c56ea;
-conveyor$State.$compared = conveyor$State.$names;
+TiltResistance.$compared = TiltResistance.$names;
+TiltResistance.LIMITS = TiltResistance.prototype.LIMITS = $c0a0b;
+PulleyResistance.$compared = PulleyResistance.$names;
+PulleyResistance.LIMITS = PulleyResistance.prototype.LIMITS = $ccbd6;
+$sig(PulleyResistance.prototype.wrap, ["tension", "width", "thickness", "steel"], false);
+loop$Spot.$compared = loop$Spot.$names;
+PointResistance.$compared = PointResistance.$names;
+PointResistance.LIMITS = PointResistance.prototype.LIMITS = $c5706;
+SkirtResistance.$compared = SkirtResistance.$names;
+SkirtResistance.LIMITS = SkirtResistance.prototype.LIMITS = $c71085;
+Segment.$compared = Segment.$names;
+CleanerResistance.$compared = CleanerResistance.$names;
+CleanerResistance.LIMITS = CleanerResistance.prototype.LIMITS = $c80b6;
+DrivePull.$compared = DrivePull.$names;
+state$State.$compared = state$State.$names;
 Resistance.$compared = Resistance.$names;
+BeltPoint.$compared = BeltPoint.$names;
+Stretch.$compared = Stretch.$names;
+Standstill.$compared = Standstill.$names;
 ElasticPlastic.$compared = ElasticPlastic.$names;
 ElasticPlastic.title = ElasticPlastic.prototype.title = "elastic-plastic";
 $sig(Profile, ["dimension", "diameters"], false);
@@ -10152,6 +12393,7 @@ $sig(_Pair, ["dimension"], false);
 GrippingPulley.$compared = GrippingPulley.$names;
 GrippingPulley.LIMITS = GrippingPulley.prototype.LIMITS = $cfa4c;
 Misplaced.$compared = Misplaced.$names;
+LoadedFlights.names = LoadedFlights.prototype.names = $c3d72;
 Either.$compared = Either.$names;
 SpeedList.$compared = SpeedList.$names;
 SpeedList.rows = SpeedList.prototype.rows = $cd950;

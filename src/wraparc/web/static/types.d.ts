@@ -68,9 +68,8 @@ type Solved<T> = Omit<
   Numbers;
 export type Arc = Solved<Omit<api.FastAnswer, "sequence" | "remarks">>;
 export type QuickAnswer = Solved<api.FastAnswer> & {
-  verdict: Verdict;
   prepared: Prepared | null;
-  /** Numbers of the page itself, not judged yet; the verdict is that of the drive before. */
+  /** Numbers of the page itself, not judged yet; the level is that of the drive before. */
   own?: boolean;
 };
 export type FullArc = Solved<Omit<api.WholeArc, "paper">> & {
@@ -89,6 +88,8 @@ export type FullAnswer = Pick<api.SolveAnswer, "governing" | "remarks"> & {
     | null;
   sources: { kind: string }[];
   judging: Judging | null;
+  /** Judged by the page, which tries single changes alone. */
+  unsearched?: boolean;
 };
 
 export type Units = "si" | "us";
@@ -149,10 +150,6 @@ export interface Saved {
   saved?: string;
 }
 /** The example that the design began as. */
-export interface Origin {
-  title: string;
-  document: Design;
-}
 export interface Source {
   toml: string;
   document: Design;
@@ -166,7 +163,6 @@ export interface App {
   case: string;
   name: string;
   design: Saved | null;
-  origin: Origin | null;
   /** The text that the design was read from, and its document then. */
   source: Source | null;
   form: Form;
@@ -174,8 +170,12 @@ export interface App {
   about: Record<string, any>;
   /** Whether the server does not answer. */
   gone: boolean;
+  /** Whether it is another one than that of this window, or another start of it. */
+  stranger: boolean;
   /** Whether it is of another version than the page. */
   newer: boolean;
+  /** A new drive, which has values that nobody typed. */
+  begun: boolean;
   /** Whether a part of the page did not come. */
   lacks: boolean;
   /** Another one whenever a design is opened. */

@@ -1,5 +1,5 @@
 // The design on the page: one document, the parsed drive file, and its history.
-/** @import { App, Design, Path, Saved, Origin, Source, Units } from "../types.d.ts" */
+/** @import { App, Design, Path, Saved, Source, Units } from "../types.d.ts" */
 
 /** State of the page; form, catalogue and document are there before anything is drawn. */
 export const app = /** @type {App} */ ({
@@ -9,13 +9,16 @@ export const app = /** @type {App} */ ({
   case: "",
   name: "",
   design: null,
-  origin: null,
   source: null,
   gone: false,
+  stranger: false,
   newer: false,
+  begun: false,
   lacks: false,
   opened: 0,
 });
+/** Places of the fields that were touched since a new drive was begun. */
+export const touched = /** @type {Set<string>} */ (new Set());
 /** Problems of the last answer by the place of their field, for the fields to show. */
 export const wrong = { at: /** @type {Map<string, string>} */ (new Map()) };
 
@@ -156,11 +159,14 @@ const unitsOf = (doc) => (/(in|ft)$/.test(String(doc.belt.width ?? "")) ? "us" :
 /**
  * Take a design in, whole.
  * @param {Design} doc
- * @param {{name?: string, design?: Saved | null, origin?: Origin | null, source?: Source | null,
- *   units?: Units}} [more]
+ * @param {{name?: string, design?: Saved | null, source?: Source | null,
+ *   units?: Units, begun?: boolean}} [more] begun: it has values that nobody typed
  */
-export function take(doc, { name = "", design = null, origin = null, source = null, units } = {}) {
-  Object.assign(app, { pulley: 0, case: "", name, design, origin, source, opened: app.opened + 1 });
+export function take(doc, more = {}) {
+  const { name = "", design = null, source = null, units, begun = false } = more;
+  Object.assign(app, { pulley: 0, case: "", name, design, source, begun });
+  app.opened += 1;
+  touched.clear();
   app.units = units ?? unitsOf(doc);
   change(doc);
 }

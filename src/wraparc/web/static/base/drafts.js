@@ -1,13 +1,12 @@
 // Designs are opened and kept in this browser: what a window shows, and drafts of what was typed.
 import { again, keep, kept } from "./address.js";
 import { app, isDrive, recall, redraw, remembered, take } from "./design.js";
-import { timeOf } from "./units.js";
 
-/** @import { Design, Origin, Saved, Source, Units } from "../types.d.ts" */
+/** @import { Design, Saved, Source, Units } from "../types.d.ts" */
 /**
  * @typedef {{window: string, when: number, doc: Design, units: Units, name: string,
- *   design: Saved | null, origin: Origin | null, source: Source | null, pulley: number,
- *   case: string}} Draft
+ *   design: Saved | null, source: Source | null, pulley: number,
+ *   case: string, begun?: boolean}} Draft
  */
 
 const KEY = "wraparc.drafts";
@@ -68,9 +67,9 @@ let waiting = 0;
 document.addEventListener("visibilitychange", keepNow);
 /** Keep the design; while a slider moves, once the hand rests. */
 export function keepDraft() {
-  const { doc, units, name, design, origin, source, pulley } = app;
-  const when = Date.now();
-  pending = { window: own, when, doc, units, name, design, origin, source, pulley, case: app.case };
+  const { doc, units, name, design, source, pulley, begun } = app;
+  const of = { window: own, when: Date.now(), case: app.case };
+  pending = { ...of, doc, units, name, design, source, pulley, begun };
   if (document.activeElement?.matches("[type=range], [role=slider]"))
     waiting ||= setTimeout(keepNow, 200);
   else keepNow();
@@ -100,8 +99,8 @@ export const offered = { draft: /** @type {Draft | null} */ (null) };
 /** @param {Draft} d */
 export function openDraft(d) {
   offered.draft = null;
-  const { name, design, origin, source, units } = d;
-  take(d.doc, { name, design, origin, source, units });
+  const { name, design, source, units, begun } = d;
+  take(d.doc, { name, design, source, units, begun });
   app.pulley = d.doc.pulley[d.pulley] ? d.pulley : 0;
   app.case = d.case;
   redraw();
@@ -114,12 +113,15 @@ export function offerDraft() {
 }
 /** Drafts of windows before this one, the newest first. */
 export const otherDrafts = () => drafts().filter((d) => d.window !== own);
-/** @param {Draft} draft */
-export const forgetDraft = (draft) => store(drafts().filter((d) => d.window !== draft.window));
-export function forgetDrafts() {
-  store([]);
-  untouched = app.doc;
+/** Delete some drafts, or all; what is returned brings them back. @param {Draft} [one] */
+export function forgetDrafts(one) {
+  const before = drafts();
+  const own = untouched;
+  store(one ? before.filter((d) => d.window !== one.window) : []);
+  if (!one) untouched = app.doc;
+  return () => {
+    store(before);
+    untouched = own;
+    redraw();
+  };
 }
-/** @param {Draft} d */
-export const draftTitle = (d) =>
-  `${d.doc.title || d.name || "Drive without a title"}, ${timeOf(d.when)}`;

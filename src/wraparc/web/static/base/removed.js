@@ -2,18 +2,21 @@
 import { h } from "../vendor/preact.js";
 import { app, change, set, undo } from "./design.js";
 import { lostParts } from "./lost_parts.js";
-import { note, told } from "./server.js";
+import { act, note, told } from "./server.js";
 
 /** @import { Children, Design } from "../types.d.ts" */
 
-/** Say what was done, with a button that undoes it. @param {Children[]} text */
-export function noteUndo(...text) {
-  const back = () => {
-    undo();
+/** Say what was done, with a button that undoes it. @param {() => any} back
+ * @param {Children[]} text */
+export function noteBack(back, ...text) {
+  const press = act(() => {
     told.text = "";
-  };
-  note([...text, h("button", { type: "button", onClick: back }, "Undo")]);
+    return back();
+  });
+  note([...text, h("button", { type: "button", onClick: press }, "Undo")]);
 }
+/** The same of the last change of the design. @param {Children[]} text */
+export const noteUndo = (...text) => noteBack(undo, ...text);
 /**
  * Put a document in the place of the present one, and name what it no longer has.
  * @param {Design} doc @param {string[]} [moved] keys whose values stand elsewhere in it

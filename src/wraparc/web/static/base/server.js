@@ -1,5 +1,6 @@
 // Words with the server, and what is said of them on the page.
 import { app, redraw } from "./design.js";
+import { proof, subtle, token } from "./proof.js";
 
 /** @import { Problem, Children } from "../types.d.ts" */
 
@@ -62,9 +63,13 @@ async function answered(path, body, { method, signal }, read) {
   const silent = setInterval(askAgain, SILENT);
   try {
     signal?.throwIfAborted();
+    await proved();
     const response = await fetch(`/api/v1/${path}`, {
       method: method || (empty ? "GET" : "POST"),
-      headers: empty || form ? {} : { "Content-Type": "application/json" },
+      headers: {
+        ...(token() && { Authorization: `Bearer ${token()}` }),
+        ...(!empty && !form && { "Content-Type": "application/json" }),
+      },
       body: form || empty ? body : JSON.stringify(body),
       signal: own.signal,
     });
@@ -83,6 +88,26 @@ async function answered(path, body, { method, signal }, read) {
     if (!waiting.size) redraw();
     signal?.removeEventListener("abort", stop);
   }
+}
+let proving = /** @type {Promise<any> | null} */ (null);
+/** Be sure that the server is that of this window, before it is sent anything. */
+function proved() {
+  if (!token() || !subtle) return null;
+  const stop = new AbortController();
+  if (!proving) waiting.set(stop, performance.now());
+  proving ??= same(stop.signal).finally(() => {
+    proving = null;
+    waiting.delete(stop);
+  });
+  return proving;
+}
+/** @param {AbortSignal} signal */
+async function same(signal) {
+  const [is, response] = await proof(token(), signal);
+  app.stranger = !is;
+  if (is) return response;
+  redraw();
+  throw new Error();
 }
 /** What a server refuses is JSON, also its own faults; anything else is no answer.
  * @param {Response} response @returns {Promise<never>} */
@@ -121,6 +146,7 @@ const LATE = "/static/late.css";
 export async function part(load) {
   const silent = setInterval(askAgain, SILENT);
   try {
+    await proved();
     styled ??= style();
     const [found] = await Promise.all([load(), styled]);
     return found;
@@ -138,7 +164,8 @@ const returns = new Set();
 /** Be told when the server answers again. @param {() => void} f */
 export const onReturn = (f) => returns.add(f);
 /** @param {Response} response */
-function back({ headers }) {
+function back({ headers, status }) {
+  app.stranger = status === 401;
   const version = headers.get("wraparc-version") || "";
   const { gone, newer, about } = app;
   if (version && about) app.newer = version !== about.version;
@@ -164,9 +191,7 @@ export async function askAgain() {
   const stop = new AbortController();
   const late = setTimeout(() => stop.abort(), SILENT);
   try {
-    const response = await fetch("/api/v1/about", { signal: stop.signal });
-    await response.json();
-    back(response);
+    back(await same(stop.signal));
     if (app.lacks) redraw();
   } catch {
     lost();
@@ -184,16 +209,6 @@ function lost() {
     app.gone = true;
     redraw();
   }
-}
-
-/** @param {string} name @param {Blob | string} data @param {string} [type] */
-export function save(name, data, type = "text/plain") {
-  const url = URL.createObjectURL(data instanceof Blob ? data : new Blob([data], { type }));
-  const link = document.createElement("a");
-  link.href = url;
-  link.download = name;
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(url), 9000);
 }
 
 /** What is told in the corner of the page for a while. */

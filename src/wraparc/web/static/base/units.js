@@ -77,8 +77,9 @@ export function besideUnit(text, other) {
   const at = shown.indexOf(" ");
   return at > 0 && words(other).endsWith(shown.slice(at)) ? shown.slice(0, at) : shown;
 }
-// biome-ignore lint/suspicious/noControlCharactersInRegex: what no other text holds
-const SLOT = /\x02([a-z_]+)\|([1-9]\d?)\|([a-z -]*)\|([^|]+)\|([^|]+)\|\w*\x03/g;
+const SLOT =
+  // biome-ignore lint/suspicious/noControlCharactersInRegex: what no other text holds
+  /\x02([a-z_]+)\|([1-9]\d?|0(?=\|[^|]*(?:fix|sign)ed\|))\|([a-z -]*)\|([^|]+)\|([^|]+)\|\w*\x03/g;
 /** @param {import("../types.d.ts").Cell} cell */
 const inUnits = ({ value, name = "", dimension, digits = 3, form = "", from, apart, error }) =>
   cellText(

@@ -1,6 +1,7 @@
 // The drive file of the design: the text that was opened with what has changed, comments too.
 import { app } from "../base/design.js";
-import { ask, note, save } from "../base/server.js";
+import { save } from "../base/save.js";
+import { ask, note } from "../base/server.js";
 import { rewritten } from "../base/toml.js";
 import { fileName } from "./files.js";
 

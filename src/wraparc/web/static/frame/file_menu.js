@@ -1,11 +1,14 @@
 // The menu File.
 import { turnTo } from "../base/address.js";
 import { app, redraw } from "../base/design.js";
-import { drafts, draftTitle, forgetDrafts, openDraft, otherDrafts } from "../base/drafts.js";
+import { drafts, forgetDrafts, openDraft, otherDrafts } from "../base/drafts.js";
+import { noteBack } from "../base/removed.js";
 import { act, part } from "../base/server.js";
 import { h } from "../vendor/preact.js";
-import { download, newDrive, openExample } from "./files.js";
+import { download } from "./files.js";
 import { item } from "./header.js";
+import { draftTitle } from "./offer.js";
+import { newDrive, openExample } from "./opened.js";
 import { PAGES } from "./registry.js";
 
 function choose() {
@@ -21,6 +24,9 @@ function choose() {
   );
   input.click();
 }
+const exporting = () => part(() => import("./exporting.js"));
+const drawn = async (/** @type {"svg" | "png"} */ kind) => (await exporting()).pictures(kind);
+const profiles = async () => (await exporting()).file("results/csv");
 export function fileMenu() {
   const kept = otherDrafts();
   return [
@@ -36,15 +42,15 @@ export function fileMenu() {
       item("Copy a link to this design", async () =>
         (await part(() => import("./link.js"))).copied(),
       ),
+    item("Pictures of this page (SVG)", () => drawn("svg")),
+    item("Pictures of this page (PNG)", () => drawn("png")),
+    !PAGES.saved && item("Profiles along the wrap (CSV)", profiles),
     item("Print", () => print()),
     h("p", { class: "help", key: "examples" }, "Examples"),
     app.catalogue.examples.map((x) => item(x.title, () => openExample(x.name))),
     kept.length > 0 && h("p", { class: "help", key: "drafts" }, "Drafts saved in this browser"),
     kept.map((d) => item(draftTitle(d), () => openDraft(d))),
     drafts().length > 0 &&
-      item("Delete all drafts", () => {
-        forgetDrafts();
-        redraw();
-      }),
+      item("Delete all drafts", () => noteBack(forgetDrafts(), "All drafts are deleted. ")),
   ];
 }

@@ -16,6 +16,8 @@ const there = (e) => e.isConnected && !e.matches(":disabled, [hidden], [hidden] 
 export function keepFocus() {
   const now = document.activeElement;
   if (!held[0] || there(held[0]) || (now !== document.body && now !== held[0])) return;
+  const again = held[0].id && document.getElementById(held[0].id); // drawn anew elsewhere
+  if (again && there(again)) return again.focus({ preventScroll: true });
   const near = held.find((e) => e.id !== "main" && there(e) && e.textContent);
   const to = near?.closest("main, header") ? near : document.getElementById(`${app.page}-title`);
   if (!to?.hasAttribute("tabindex")) to?.setAttribute("tabindex", "-1");

@@ -1,4 +1,4 @@
-// The head of the page: tabs, units, undo, the menus Report and File.
+// The head of the page: tabs, units, undo, the menu File.
 import { app, history, look, redo, redraw, undo } from "../base/design.js";
 import { act, part } from "../base/server.js";
 import { oneOf } from "../parts/choose.js";
@@ -9,17 +9,11 @@ import { tabs } from "./tabs.js";
 /** @import { Children } from "../types.d.ts" */
 
 const icon = /** @type {HTMLLinkElement} */ (document.querySelector("link[rel=icon]"));
-/** What is behind Export, fetched when that is opened first. */
-let exporting = /** @type {typeof import("./exporting.js") | null} */ (null);
 /** What comes behind the first answer. */
 let late = /** @type {typeof import("./behind.js") | null} */ (null);
 export const behind = () => late;
 
-const fetchExporting = act(async () => {
-  exporting ??= await part(() => import("./exporting.js"));
-  redraw();
-});
-const fetchLate = act(async () => {
+export const fetchLate = act(async () => {
   if (late) return;
   late = await part(() => import("./behind.js"));
   redraw();
@@ -34,12 +28,7 @@ export const Header = () => [
     " ",
     h("b", {}, "wraparc"),
   ),
-  h(
-    "nav",
-    { "aria-label": "Pages", id: "nav", key: "nav" },
-    tabs(),
-    menu("export", "Report", exporting?.exportMenu(), fetchExporting),
-  ),
+  h("nav", { "aria-label": "Pages", id: "nav", key: "nav" }, tabs()),
   h(
     "div",
     { class: "tools", role: "group", "aria-label": "Design", key: "tools" },

@@ -4,6 +4,7 @@ import { app, isDrive, redraw, set } from "../base/design.js";
 import { open } from "../base/drafts.js";
 import { noteUndo, putLagging } from "../base/removed.js";
 import { Advice, ask, note, part } from "../base/server.js";
+import { showFirst } from "./opened.js";
 
 const MOST = 2e6;
 /** Kinds of TOML files by a key that only they have. @type {[string, string][]} */
@@ -42,7 +43,7 @@ export async function openFile(file) {
 const OPEN = {
   drive(doc, name, toml) {
     open(doc, { name: stem(name), source: { toml, document: doc } });
-    note(`Opened ${name}.`);
+    showFirst(doc, `Opened ${name}.`);
   },
   async lagging(_, __, text) {
     const { name, lagging } = await ask("lagging/read", { toml: text });

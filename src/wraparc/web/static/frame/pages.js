@@ -1,12 +1,12 @@
 // The frame that holds the pages.
 import { app, redraw } from "../base/design.js";
-import { draftTitle, forgetDraft, offered, openDraft } from "../base/drafts.js";
+import { offered } from "../base/drafts.js";
 import { AGAIN, askAgain, GONE, part } from "../base/server.js";
 import { Component, h } from "../vendor/preact.js";
+import { behind } from "./header.js";
 import { PAGES } from "./registry.js";
 import { views } from "./tabs.js";
 
-/** @import { Draft } from "../base/drafts.js" */
 /** The page that is looked at; undefined while it is on its way. */
 export function present() {
   const page = PAGES[app.page];
@@ -23,6 +23,8 @@ export function present() {
   }
   return page.view;
 }
+/** Tabs whose pages have the frame of the first screen. */
+const FRAMED = ["drive", "measure"];
 const visited = new Set();
 
 /** One page: drawn only while it is looked at, kept when it is left.
@@ -39,7 +41,12 @@ class Place extends Component {
     this.seen = app.page === name;
     return h(
       "section",
-      { id: name, hidden: !this.seen, "aria-label": title, class: tab === "drive" && "framed" },
+      {
+        id: name,
+        hidden: !this.seen,
+        "aria-label": title,
+        class: FRAMED.includes(tab) && "framed",
+      },
       name !== "drive" && this.seen && h("div", { class: "sub" }, views(), view?.picks?.()),
       h("h1", { tabIndex: -1, id: `${name}-title` }, title),
       view ? view.Page() : h("p", { class: "help" }, "Loading …"),
@@ -56,7 +63,10 @@ export function Main() {
 /** What concerns every page: a server that is gone or another, a draft from before. */
 function bars() {
   const bar = app.gone ? app.page !== "drive" && GONE_BAR : app.newer ? NEWER : app.lacks && LACKS;
-  return [bar && told(...bar), offered.draft && offer(offered.draft)];
+  return [
+    app.stranger ? behind()?.entry() : bar && told(...bar),
+    offered.draft && behind()?.offer(offered.draft),
+  ];
 }
 const KEPT = " The drive is saved in this browser as typed.";
 /** @typedef {[string, string, string, () => void]} Bar */
@@ -75,26 +85,3 @@ const told = (...[headline, text, name, onClick]) =>
     h("p", { class: "headline" }, headline),
     h("p", {}, text, KEPT, " ", h("button", { type: "button", onClick }, name)),
   );
-/** @param {Draft} draft */
-function offer(draft) {
-  const close = () => {
-    offered.draft = null;
-    redraw();
-  };
-  const forget = () => {
-    forgetDraft(draft);
-    close();
-  };
-  return h(
-    "div",
-    { class: "card aside", role: "note", key: "draft" },
-    h("p", {}, `A draft is saved in this browser: ${draftTitle(draft)}.`),
-    h(
-      "p",
-      { class: "inline" },
-      h("button", { type: "button", class: "main", onClick: () => openDraft(draft) }, "Open it"),
-      h("button", { type: "button", onClick: close }, "Not now"),
-      h("button", { type: "button", onClick: forget }, "Forget it"),
-    ),
-  );
-}

@@ -17,7 +17,9 @@ export const PAGES = {
   events: page("Events", "drive", "In time", () => import("../pages/events.js")),
   compare: page("Compare", "choose", "", () => import("../pages/compare.js")),
   study: page("Study", "choose", "", () => import("../pages/study.js")),
-  tests: page("Tests", "measure", "", () => import("../pages/tests.js")),
+  tests: page("Tests", "measure", "Shear tests", () => import("../pages/tests.js")),
+  logs: page("A plant's logs", "measure", "", () => import("../pages/logs.js")),
+  report: page("Report", "report", "", () => import("../pages/report.js")),
   saved: page("Saved", "", "", () => import("../pages/saved.js")),
 };
 /** @param {string} title @param {string} tab @param {string} as @param {() => Promise<View>} load

@@ -9,6 +9,7 @@ const TABS = [
   ["drive", "Drive"],
   ["choose", "Choose"],
   ["measure", "Measure"],
+  ["report", "Report"],
 ];
 /** Pages of a tab. @param {string} tab */
 const under = (tab) => Object.keys(PAGES).filter((name) => PAGES[name].tab === tab);

@@ -2,16 +2,18 @@
 import { app, gripped, redraw } from "../base/design.js";
 import { aborted, ask, later, onReturn, refusal } from "../base/server.js";
 import { words } from "../base/units.js";
-import { judgedIf, list, standing, stands, table, verdict } from "../parts/answers.js";
+import { list, standing } from "../parts/answers.js";
 import { choose } from "../parts/choose.js";
 import { checked, framed, marked, renewed, saying, silent } from "../parts/framed.js";
 import { mark } from "../parts/problems.js";
+import { judgedIf, stands, table, verdict } from "../parts/tables.js";
 import { h } from "../vendor/preact.js";
 import { acrossInputs, drawGiven, drawingOf } from "./across/inputs.js";
 import { QUANTITIES, widthPicture } from "./across/pictures.js";
 import { questions } from "./across/questions.js";
 import { askedCase } from "./drive/cases.js";
 import { picks as casePicks } from "./drive/screen.js";
+import { answer, known } from "./drive/solving.js";
 
 /** @import { Refused } from "../parts/framed.js" */
 /** @import { Design, Table } from "../types.d.ts" */
@@ -61,6 +63,8 @@ const solve = later(250, async (/** @type {Design} */ doc, /** @type {string} */
 
 const now = () =>
   standing(state.now[0] === app.doc && state.now[1] === state.where, state.problems);
+/** How the verdict on the whole drive stands. */
+const told = () => (now() === "fresh" ? standing(Boolean(known()), answer.problems) : now());
 
 export const picks = () => casePicks("-across");
 export const Page = () => {
@@ -74,7 +78,7 @@ export const Page = () => {
       say:
         a?.even && now() === "fresh"
           ? silent("Draw the wear, or load readings.")
-          : saying(now(), a?.verdict, undefined, null, state.problems),
+          : saying(told(), /** @type {any} */ (known()?.verdict), undefined, null, state.problems),
       drawing: drawingOf(app.pulley),
       curve: a?.map && picture(a),
       side: a && checked("across", a.bars),

@@ -1,14 +1,16 @@
 // The same drive with every lagging, or with several belts.
 import { app, change, redraw, set } from "../base/design.js";
-import { act, ask, later, note, onReturn, refusal } from "../base/server.js";
+import { noteUndo } from "../base/removed.js";
+import { act, ask, later, onReturn, refusal } from "../base/server.js";
 import { words } from "../base/units.js";
 import { PAGES } from "../frame/registry.js";
-import { badge, list, refused, scroll, standing, stands } from "../parts/answers.js";
+import { list, standing } from "../parts/answers.js";
 import { Box } from "../parts/box.js";
 import { oneOf } from "../parts/choose.js";
 import { renewed } from "../parts/framed.js";
 import { place } from "../parts/problems.js";
 import { numberOf } from "../parts/question.js";
+import { badge, refused, scroll, stands } from "../parts/tables.js";
 import { h } from "../vendor/preact.js";
 import { Dots } from "./compare/dots.js";
 import { askedCase } from "./drive/cases.js";
@@ -154,7 +156,7 @@ function use(row) {
   let doc = app.doc;
   for (const c of row.change) doc = set(doc, place(c.path), c.value ?? undefined);
   change(doc);
-  note(`${label(row)} is in the drive now; Undo takes it out again.`);
+  noteUndo(`${label(row)} is in the drive now. `);
 }
 /** @param {Comparison} a */
 function result(a) {

@@ -2,11 +2,13 @@
 import { app, redraw } from "../base/design.js";
 import { act, ask, complain, onReturn, refusal } from "../base/server.js";
 import { words } from "../base/units.js";
-import { judgedIf, list, refused, standing, stands, table, verdict } from "../parts/answers.js";
+import { list, standing } from "../parts/answers.js";
 import { Box } from "../parts/box.js";
 import { choose } from "../parts/choose.js";
 import { checked, framed, marked, notComputed, renewed, saying, silent } from "../parts/framed.js";
+import { Picture } from "../parts/picture.js";
 import { mark } from "../parts/problems.js";
+import { judgedIf, refused, stands, table, verdict } from "../parts/tables.js";
 import { h } from "../vendor/preact.js";
 import { answer, known } from "./drive/solving.js";
 import { assumed, events, motionInputs } from "./events/inputs.js";
@@ -294,11 +296,11 @@ function pictures() {
 function drawn(what, alt) {
   const job = state.jobs[what];
   if (job?.state !== "done") return null;
-  const src = `/api/v1/events/${job.id}/pictures/${job.pictures[0]}`;
+  const path = `events/${job.id}/pictures/${job.pictures[0]}`;
   const found = stands(
     now(job),
     what === "stability" && verdict(judgedIf(now(job), job.stability.verdict)),
-    h("img", { src, alt: `${alt}; the tables say it in numbers`, key: job.id, class: "drawn" }),
+    h(Picture, { path, alt: `${alt}; the tables say it in numbers`, key: job.id }),
   );
   return h("figure", { key: `drawn ${what}` }, found);
 }

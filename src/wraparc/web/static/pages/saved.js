@@ -3,9 +3,9 @@
 import { turnTo } from "../base/address.js";
 import { app, look, redraw } from "../base/design.js";
 import { open } from "../base/drafts.js";
-import { Advice, act, ask, complain, later, note, onReturn } from "../base/server.js";
+import { Advice, act, ask, complain, later, note, onReturn, Refused } from "../base/server.js";
 import { timeOf } from "../base/units.js";
-import { scroll } from "../parts/answers.js";
+import { scroll } from "../parts/tables.js";
 import { h } from "../vendor/preact.js";
 import { differences, differenceTable } from "./saved/differences.js";
 
@@ -14,6 +14,7 @@ import { differences, differenceTable } from "./saved/differences.js";
  * @typedef {{version: number, created: string, who: string, note: string}} Version
  * @typedef {{id: string, name: string, kind: string, versions: number, changed: string,
  *   who: string, note: string}} Entry
+ * @typedef {Version & {id: string, found: Difference[]}} Conflict
  */
 
 const state = {
@@ -26,6 +27,8 @@ const state = {
   open: /** @type {{id: string, versions: Version[]} | null} */ (null),
   /** What differs between two versions of the design that is open in the list. */
   changes: /** @type {{of: number, found: Difference[], names: [string, string]} | null} */ (null),
+  /** What somebody else has saved since the design was opened, and how it differs. */
+  conflict: /** @type {Conflict | null} */ (null),
   /** Which design the name in the box is of. */
   of: /** @type {string | undefined} */ (undefined),
 };
@@ -65,7 +68,7 @@ const find = later(200, load);
 /** @param {{id: string, version: number}} d @param {string} name */
 async function saved(d, name) {
   const design = { id: d.id, version: d.version, name, saved: JSON.stringify(app.doc) };
-  Object.assign(state, { note: "", of: d.id, name });
+  Object.assign(state, { note: "", of: d.id, name, conflict: null });
   try {
     localStorage.setItem("who", state.who);
   } catch {
@@ -85,17 +88,65 @@ async function saveNew() {
   }
   await saved(await ask("designs", { name, ...body() }), name);
 }
-async function saveVersion() {
+/** @param {number} [base] the version that this one is made from */
+async function saveVersion(base) {
   if (!app.design) return;
   const { id, version, name } = app.design;
   const now = state.name.trim() || name;
-  // in one request: a version that is refused renames nothing
-  await saved(await ask(`designs/${id}/versions`, { ...body(), name: now, base: version }), now);
+  try {
+    // in one request: a version that is refused renames nothing
+    const asked = { ...body(), name: now, base: base ?? version };
+    await saved(await ask(`designs/${id}/versions`, asked), now);
+  } catch (x) {
+    if (!(x instanceof Refused) || x.status !== CONFLICT) throw x;
+    await conflicts(id);
+  }
+}
+const CONFLICT = 409;
+/** Who has saved meanwhile, and in what both differ. @param {string} id */
+async function conflicts(id) {
+  const { versions } = await ask(`designs/${id}`);
+  const newest = /** @type {Version} */ (versions.at(-1));
+  const { document } = await ask(`designs/${id}/versions/${newest.version}`);
+  state.conflict = { ...newest, id, found: differences(document, app.doc) };
+  redraw();
+  focusConflict();
+}
+const focusConflict = () =>
+  requestAnimationFrame(() => document.getElementById("conflict")?.focus());
+/** The second of two who save: both are shown, and both are saved. */
+function conflict() {
+  const c = state.conflict;
+  if (!c || app.design?.id !== c.id) return null;
+  const press = (/** @type {string} */ text, /** @type {() => any} */ f, cls = "") =>
+    h("button", { type: "button", class: cls, key: text, onClick: act(f) }, text);
+  const [mine, theirs] = [`Save mine as version ${c.version + 1}`, `Open version ${c.version}`];
+  const others = { id: c.id, name: app.design.name };
+  return h(
+    "section",
+    { class: "card", id: "conflict", tabIndex: -1, role: "alert", key: "conflict" },
+    h("h2", {}, `${c.who || "Somebody"} saved version ${c.version} meanwhile`),
+    h(
+      "p",
+      {},
+      `${timeOf(c.created)}${c.note ? `: ${c.note}` : ""}. Yours began from version `,
+      `${app.design.version}. Both are saved as versions.`,
+    ),
+    differenceTable(c.found, `version ${c.version}`, "yours"),
+    h(
+      "p",
+      { class: "bar" },
+      press(mine, () => saveVersion(c.version), "main"),
+      press("Save as a new design", saveNew),
+      press(theirs, () => reopen(/** @type {Entry} */ (others), c.version)),
+    ),
+  );
 }
 /** @param {Entry} d @param {number} version */
 async function reopen(d, version) {
   const v = await ask(`designs/${d.id}/versions/${version}`);
   const design = { id: d.id, version: v.version, name: d.name, saved: JSON.stringify(v.document) };
+  state.conflict = null;
   open(v.document, { name: v.name || d.name, design });
   note(`Opened version ${v.version} of “${d.name}”.`);
   turnTo("drive");
@@ -147,7 +198,7 @@ async function remove(d) {
   await load();
 }
 
-export const Page = () => [form(), designs()];
+export const Page = () => [form(), conflict(), designs()];
 function form() {
   const button = (/** @type {string} */ text, /** @type {() => any} */ f, main = false) =>
     h("button", { type: "button", class: main ? "main" : "", key: text, onClick: act(f) }, text);
@@ -166,7 +217,7 @@ function form() {
       input("Name", "name", { id: "design-name", maxLength: 120, required: true, size: 28 }),
       input("Note on this version", "note", { maxLength: 1000, size: 34 }),
       input("Who", "who", { maxLength: 80, size: 14 }),
-      app.design && button("Save a new version", saveVersion, true),
+      app.design && button("Save a new version", () => saveVersion(), true),
       button("Save as a new design", saveNew, !app.design),
     ),
     h("p", { class: "help", role: "status" }, stateText()),

@@ -1,8 +1,11 @@
 // Studies: many variants of the drive, started, followed, ended, looked at.
 import { app, redraw } from "../base/design.js";
-import { act, ask, askFile, complain, onReturn, refusal, save, sentence } from "../base/server.js";
+import { saveFrom } from "../base/save.js";
+import { act, ask, complain, onReturn, refusal, sentence } from "../base/server.js";
 import { words } from "../base/units.js";
-import { judgedIf, list, refused, standing, stands, table, verdict } from "../parts/answers.js";
+import { list, standing } from "../parts/answers.js";
+import { Picture } from "../parts/picture.js";
+import { judgedIf, refused, stands, table, verdict } from "../parts/tables.js";
 import { h } from "../vendor/preact.js";
 import { form } from "./study/form.js";
 import { asFile, freshPlan } from "./study/plan.js";
@@ -88,6 +91,8 @@ function job(j) {
   const at = busy(j);
   const answer = state.opened[j.id];
   const end = async () => {
+    if (!at && !confirm(`Delete “${j.title || "Study"}” with its results? This cannot be undone.`))
+      return;
     await ask(`studies/${j.id}`, undefined, { method: "DELETE" });
     if (!at) delete state.opened[j.id];
     await follow();
@@ -119,7 +124,7 @@ function job(j) {
           key: "bar",
         }),
       h("span", { role: at ? "status" : undefined, key: "said" }, count, message),
-      h("button", { type: "button", onClick: act(end), key: "end" }, at ? "Cancel" : "Forget"),
+      h("button", { type: "button", onClick: act(end), key: "end" }, at ? "Cancel" : "Delete"),
       j.state === "done" &&
         h(
           "button",
@@ -136,11 +141,14 @@ const subject = (study, document) => JSON.stringify([study, document]);
 /** @param {Job} j @param {any} full */
 function result(j, full) {
   const download = (/** @type {string} */ name) =>
-    act(async () => save(name, (await askFile(`studies/${j.id}/files/${name}`))[0]));
+    act(async () => {
+      const { href } = await ask(`studies/${j.id}/files/${name}/link`, {});
+      saveFrom(href, name);
+    });
   const picture = (/** @type {string} */ name) => {
     const what = name.replace(/\.\w+$/, "").replace(/[-_]/g, " ");
     const alt = `${what} of ${j.title || "the study"}; its numbers are in the tables`;
-    return h("img", { src: `/api/v1/studies/${j.id}/pictures/${name}`, alt, key: name });
+    return h(Picture, { path: `studies/${j.id}/pictures/${name}`, alt, key: name });
   };
   const now = subject(full.study, full.document) === subject(asFile(), app.doc);
   const how = standing(now, state.problems, false);

@@ -1,22 +1,24 @@
 // Several drives on one belt: shares, speeds, and how exactly they must be matched.
 import { app, gripped, look, redraw } from "../base/design.js";
 import { aborted, act, ask, complain, later, onReturn, refusal } from "../base/server.js";
-import { percent, show, shown, words } from "../base/units.js";
+import { percent, show, shown } from "../base/units.js";
 import { behind } from "../frame/header.js";
 import { PAGES } from "../frame/registry.js";
-import { judgedIf, list, standing, stands, table, verdict } from "../parts/answers.js";
+import { list, standing } from "../parts/answers.js";
 import { checked, facts, framed, marked, renewed, saying, silent } from "../parts/framed.js";
 import { mark } from "../parts/problems.js";
+import { judgedIf, stands, table, verdict } from "../parts/tables.js";
 import { h } from "../vendor/preact.js";
-import { picks as casePicks, rank } from "./drive/screen.js";
+import { picks as casePicks } from "./drive/screen.js";
 import { answer, known } from "./drive/solving.js";
+import { rank } from "./drive/worst.js";
 import { chain } from "./train/chain.js";
 import { addPulley, trainInputs } from "./train/inputs.js";
 import { matchingPlots } from "./train/plots.js";
 import { changes, reasons, shareBar, trimStrip } from "./train/strips.js";
 
 /** @import { Refused } from "../parts/framed.js" */
-/** @import { Design, Table, Verdict } from "../types.d.ts" */
+/** @import { Design, Table } from "../types.d.ts" */
 
 const state = {
   answer: /** @type {any} */ (null),
@@ -102,7 +104,7 @@ export const Page = () => {
       how: c && how === "fresh" ? standing(Boolean(known()), answer.problems) : how,
       form: trainInputs(a),
       say: c
-        ? saying(how, judgedIn(a, c), more(a, c, m), action(a, c), state.problems)
+        ? saying(how, a.verdict, more(a, c, m), action(a, c), state.problems)
         : several()
           ? saying(how, /** @type {any} */ (null), "", null, state.problems)
           : silent("One pulley takes the whole load.", "", adding()),
@@ -163,16 +165,8 @@ function more(a, c, m) {
       h("b", {}, "Governing"),
       " ",
       h("button", { type: "button", class: "link", onClick: to }, elsewhere),
-      ": ",
-      words(a.judged[worst].text),
     );
-  return a.judged[at].action ? null : slower(m, c.drives[0]);
-}
-/** The verdict on a load case, with what was tried for all of them. @param {any} a @param {any} c
- * @returns {Verdict} */
-function judgedIn(a, c) {
-  const own = a.judged[a.load_cases.indexOf(c)];
-  return rank(own) > 0 && a.verdict?.action ? { ...own, action: a.verdict.action } : own;
+  return a.verdict.action ? null : slower(m, c.drives[0]);
 }
 /** How much slower or faster a drum turns than the first. @param {any} m */
 const turns = (m) =>
@@ -183,11 +177,8 @@ const slower = (m, first) =>
 /** What helps, with its number; where all is kept, how exactly the drives must be matched.
  * @param {any} a @param {any} c */
 function action(a, c) {
-  if (rank(a.judged[a.load_cases.indexOf(c)]) <= 0) return toMatch(c);
-  const first = now() === "fresh" && behind()?.offered();
-  if (first) return first;
-  const least = Array.isArray(app.doc.train?.share) && now() === "fresh" && known();
-  return least && behind()?.raise(least.least_tension?.raise_to);
+  if (rank(a.verdict) <= 0) return toMatch(c);
+  return now() === "fresh" && behind()?.offered();
 }
 /** The limits of the trims, on a press. @param {any} c */
 const toMatch = (c) =>
@@ -275,7 +266,7 @@ function loadCase(c) {
   const figures = [
     ["Effective tension Te", "effective_tension"],
     ["Power", "transmitted_power"],
-    ["Power lost to creep", "power_loss"],
+    ["Power lost, all drives", "power_loss"],
   ];
   const told = figures.filter(([, key]) => Number.isFinite(sum(key)));
   return [

@@ -1,6 +1,6 @@
 // One field of the drive file: label, box, unit, slider, help and what is wrong with it.
 
-import { app, edit, get, grasp, gripped, wrong } from "../base/design.js";
+import { app, edit, get, grasp, gripped, touched, wrong } from "../base/design.js";
 import { factor, sign, split, trim, unit, viewed } from "../base/units.js";
 import { Component, createRef, h } from "../vendor/preact.js";
 import { valueIn } from "./choose.js";
@@ -14,7 +14,8 @@ import { valueIn } from "./choose.js";
  *   good?: [number, number] | null}} Scale
  *   where a slider goes [SI], its stops, where a limit is, and between what that is kept
  * @typedef {{spec: Spec, path: Path, label?: string, choices?: Choices[], slider?: boolean,
- *   scale?: Scale | null, inUnit?: string, placeholder?: string, page?: string, read?: () => any,
+ *   scale?: Scale | null, inUnit?: string, assumed?: boolean, placeholder?: string,
+ *   page?: string, read?: () => any,
  *   put?: (value: any) => void,
  *   check?: (text: string) => string}} FieldProps
  *   inUnit: the unit of a number that is not there yet; read and put: other than the place of the
@@ -98,8 +99,12 @@ function allowed({ dimension, allowed: text, least, most }) {
   return both && app.units === "us" ? `Allowed: ${both}.` : `Allowed: ${text}.`;
 }
 
-/** What finds the value of a field that gives a wanted result, where there is a server. */
-export const seeking = { open: /** @type {((path: Path) => void) | null} */ (null) };
+/** What finds the value of a field that gives a wanted result, where there is a server, and what
+ * asks for the value that may be meant. */
+export const seeking = {
+  open: /** @type {((path: Path) => void) | null} */ (null),
+  hint: /** @type {((of: Field) => Children) | null} */ (null),
+};
 
 /** @extends {Component<FieldProps, FieldState>} */
 export class Field extends Component {
@@ -113,8 +118,7 @@ export class Field extends Component {
 
   componentDidMount() {
     const key = keyOf(this.props.path);
-    const { label, spec: s } = this.props;
-    shownFields.set(key, [...(shownFields.get(key) || []), label || s.title]);
+    shownFields.set(key, [...(shownFields.get(key) || []), this.name]);
   }
   componentWillUnmount() {
     const key = keyOf(this.props.path);
@@ -122,13 +126,16 @@ export class Field extends Component {
     if (left.length) shownFields.set(key, left);
     else shownFields.delete(key);
   }
+  get name() {
+    return this.props.label || this.props.spec.title;
+  }
   /** @param {FieldProps} next @param {FieldState} state */
   shouldComponentUpdate(next, state) {
     return state !== this.state || this.look(next) !== this.seen;
   }
   /** Everything that decides how the field looks. @param {FieldProps} p */
   look(p) {
-    const { path, label, choices, placeholder, scale, spec: s } = p;
+    const { path, label, choices, placeholder, scale, assumed, spec: s } = p;
     const problem = wrong.at.get(keyOf(path));
     return JSON.stringify([
       path,
@@ -137,13 +144,17 @@ export class Field extends Component {
       choices,
       placeholder,
       scale,
+      assumed,
       s.key,
+      s.title,
       problem,
       app.units,
       seeking.open !== null,
     ]);
   }
   componentDidUpdate() {
+    const named = shownFields.get(keyOf(this.props.path));
+    if (named) named[0] = this.name; // it may be called after what was renamed
     if (!this.problem) return;
     // what is wrong must be seen
     for (let e = this.row.current; e; e = e.parentElement)
@@ -160,6 +171,7 @@ export class Field extends Component {
   }
   /** @param {any} value */
   put(value) {
+    touched.add(keyOf(this.props.path));
     if (this.props.put) this.props.put(value);
     else edit(this.props.path, value);
   }
@@ -209,18 +221,18 @@ export class Field extends Component {
     this.setState({ draft: null, refused: "" });
   };
   render() {
-    const { spec: s, label, choices } = this.props;
+    const { spec: s, choices } = this.props;
     this.seen = this.look(this.props);
-    const name = label || s.title;
-    const problem = this.problem;
+    const { name, problem } = this;
+    const hint = !problem && seeking.hint?.(this);
     const tall = /description/.test(s.key);
     const shape = choices && !s.dimension ? " wide" : tall ? " tall" : "";
-    const standing = problem ? (problem === NEEDED ? " needed" : " wrong") : "";
+    const standing = hint || problem === NEEDED ? " needed" : problem ? " wrong" : "";
     const [text, u] = this.text();
     return h(
       "div",
       {
-        class: `field${shape}${standing}`,
+        class: `field${shape}${standing}${this.props.assumed ? " assumed" : ""}`,
         ref: this.row,
       },
       h(
@@ -245,7 +257,11 @@ export class Field extends Component {
         this.state.help && this.seek(),
       ),
       // a long one scrolls: the keys must get there
-      h("p", { class: "error", id: `${this.id}-e`, tabIndex: problem ? 0 : undefined }, problem),
+      h(
+        "p",
+        { class: "error", id: `${this.id}-e`, tabIndex: problem ? 0 : undefined },
+        problem || hint,
+      ),
     );
   }
   /** @param {string} name */
@@ -256,6 +272,7 @@ export class Field extends Component {
       {
         type: "button",
         class: "q",
+        tabIndex: -1, // the keys have F1 in the field
         "aria-label": `Help: ${name}`,
         "aria-expanded": help,
         "aria-controls": `${this.id}-h`,
@@ -264,6 +281,13 @@ export class Field extends Component {
       "?",
     );
   }
+  /** F1 opens the help of a field, up and down go a step of its slider.
+   * @param {KeyboardEvent} e */
+  keys = (e) => {
+    if (e.key !== "F1") return this.stepped(e);
+    e.preventDefault();
+    this.setState({ help: !this.state.help });
+  };
   seek() {
     const { path, spec: s, page } = this.props;
     const { open } = seeking;
@@ -293,6 +317,8 @@ export class Field extends Component {
       id: this.id,
       "aria-describedby": `${this.id}-h ${this.id}-e`,
       "aria-invalid": Boolean(this.problem) && this.problem !== NEEDED,
+      "aria-keyshortcuts": "F1",
+      onKeyDown: this.keys,
     };
     const options = choices || ownChoices(s);
     const taken = (/** @type {Event} */ e) => this.take(valueIn(e), u);
@@ -304,7 +330,6 @@ export class Field extends Component {
       onInput: (/** @type {Event} */ e) => this.typed(valueIn(e), u),
       onChange: this.done,
       onBlur: this.done,
-      onKeyDown: this.stepped,
     };
     if (tall) return h("textarea", { ...typing, rows: 2 });
     return h("input", {
@@ -375,8 +400,9 @@ export class Field extends Component {
     const mark = own.mark != null && h("b", { style: { left: `${part(own.mark)}%` } });
     return h("span", { class: "sl" }, h("span", { class: "t" }, good, mark), range);
   }
-  /** Up and down in a box go a step of its slider. @param {KeyboardEvent} e */
+  /** @param {KeyboardEvent} e */
   stepped = (e) => {
+    if (e.currentTarget instanceof HTMLSelectElement) return;
     const way = { ArrowUp: 1, ArrowDown: -1 }[e.key] ?? 0;
     const found = way ? this.places() : null;
     if (!found?.scale || e.altKey || e.ctrlKey) return;

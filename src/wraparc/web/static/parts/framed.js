@@ -105,15 +105,13 @@ export function checked(page, found) {
     .filter((b) => !titles.has(b.title) && titles.add(b.title))
     .map((b) => ({ ...b, title: b.pulley ? `${b.title}, ${b.pulley}` : b.title }));
   const one = bars.find((b) => b.title === chosen.check) ?? bars[0];
-  const missed = bars.filter((b) => b.level !== "OK").length;
-  const passed = `${bars.length - missed} of ${bars.length} pass`;
-  const worst = bars.some((b) => b.pulley) ? " · at the worst drive" : "";
+  const worst = bars.some((b) => b.pulley) ? " · worst drive" : "";
   const put = (/** @type {Bar} */ b) => () => {
     chosen.check = b.title;
     redraw();
   };
   return [
-    h("h2", { key: "head" }, "Checks", bars.length > 0 && h("span", {}, passed, worst)),
+    h("h2", { key: "head" }, "Checks", bars.length > 0 && h("span", {}, "bar: % of limit", worst)),
     h(
       "ul",
       { class: "list", key: "list" },

@@ -3,7 +3,8 @@ import { app, redraw } from "../base/design.js";
 import { act, ask, complain, GONE, onReturn, refusal, unanswered } from "../base/server.js";
 import { words } from "../base/units.js";
 import { h } from "../vendor/preact.js";
-import { judgedIf, list, refused, standing, stands, table, verdict } from "./answers.js";
+import { list, standing } from "./answers.js";
+import { judgedIf, refused, stands, table, verdict } from "./tables.js";
 
 /** @import { Children, Problem, Table, Text, Verdict } from "../types.d.ts" */
 

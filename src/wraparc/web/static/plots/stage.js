@@ -1,6 +1,7 @@
 // One pulley as it runs: the belt as thick as its tension, its lagging coloured by a quantity, and
 // handles that move the tensions and the wrap.
 import { grasp } from "../base/design.js";
+import { shade } from "./ramp.js";
 import { attr, each, fixed, put, s, say } from "./svg.js";
 
 /** @typedef {[number, number]} Point */
@@ -20,6 +21,8 @@ import { attr, each, fixed, put, s, say } from "./svg.js";
 const [CX, CY, R] = [490, 250, 164];
 const [LAG, BAND] = [13, 54];
 const CELLS = 72;
+/** Where the pulley is in the picture, and of how many parts its lagging. */
+export const PLACE = { x: CX, y: CY, r: R, cells: CELLS };
 /** How far a handle is from the pulley at no tension, and how much farther at the full one; on a
  * narrow screen. */
 const [NEAR, FAR, CLOSE] = [44, 360, 190];
@@ -52,13 +55,6 @@ export function follow(x, y) {
     while (j < x.length - 2 && x[j + 1] < v) j++;
     return y[j] + ((y[j + 1] - y[j]) * (v - x[j])) / (x[j + 1] - x[j] || 1);
   };
-}
-/** The colour of a quantity, light for little: of the light page, the dark one and of paper.
- * @param {number} t a share of the most */
-export function colour(t) {
-  const x = cut(t, 0, 1) * 3;
-  const i = Math.min(2, Math.floor(x));
-  return `color-mix(in srgb, var(--q${i + 1}) ${Math.round(100 * (x - i))}%, var(--q${i}))`;
 }
 
 export class Stage {
@@ -237,10 +233,10 @@ export class Stage {
     attr(this.limit, { d: d.limit && d.solved ? line(limit) : "" });
     this.cells.forEach((cell, i) => {
       const [a, b] = [(i / CELLS) * d.phi, Math.min(d.phi, ((i + 1.12) / CELLS) * d.phi)];
-      const t = d.solved ? Math.abs(value((i + 0.5) / CELLS)) / (d.most || 1) : 0;
       const r = R - LAG / 2;
       attr(cell, { d: line([at(r, a), at(r, (a + b) / 2), at(r, b)]) });
-      if (d.solved) attr(cell, { stroke: colour(t) });
+      const v = d.solved ? Math.abs(value((i + 0.5) / CELLS)) : 0;
+      if (d.solved) attr(cell, { stroke: shade(v, d.most, d.limit) });
       else cell.removeAttribute("stroke");
     });
     const outer = places.map((p) => at(R + this.thick(tension(p)), p * d.phi));
@@ -287,7 +283,7 @@ export class Stage {
     say(this.number.children[1], unit);
     const rows = d.figures.flatMap((_, i) => [
       { x: 24, y: 162 + 24 * i, class: "small" },
-      { x: 196, y: 162 + 24 * i, class: "figure" },
+      { x: 232, y: 162 + 24 * i, class: "figure" },
     ]);
     each(this.figures, "text", rows);
     d.figures.flat().forEach((text, i) => {

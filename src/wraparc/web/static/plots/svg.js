@@ -83,20 +83,3 @@ export function ticks(lo, hi, step) {
     found.push(+(i * step).toPrecision(12));
   return found;
 }
-
-const WARM = [
-  [255, 255, 204],
-  [255, 237, 160],
-  [254, 217, 118],
-  [254, 178, 76],
-  [253, 141, 60],
-  [252, 78, 42],
-  [227, 26, 28],
-  [189, 0, 38],
-];
-/** A colour from pale to dark red for 0 to 1. @param {number} t */
-export function warm(t) {
-  const v = Math.max(0, Math.min(1, t)) * (WARM.length - 1);
-  const i = Math.min(WARM.length - 2, Math.floor(v));
-  return `rgb(${WARM[i].map((c, k) => Math.round(c + (v - i) * (WARM[i + 1][k] - c))).join()})`;
-}

@@ -152,6 +152,10 @@ export class Editor extends Component {
   zero() {
     return valueText(0, this.props.kind.dimension);
   }
+  clear = () => {
+    this.put([]);
+    noteUndo("All points are removed. ");
+  };
   /** A profile has two rows or none. @param {number} k */
   remove(k) {
     const rows = this.rows.filter((_, j) => j !== k);
@@ -336,7 +340,7 @@ export class Editor extends Component {
           "Add a point",
         ),
         rows.length > 0 &&
-          h("button", { type: "button", id: "clear-points", onClick: () => this.put([]) }, "Clear"),
+          h("button", { type: "button", id: "clear-points", onClick: this.clear }, "Clear"),
       ),
     );
   }

@@ -1,7 +1,8 @@
 // The wrap unrolled: a map over angle and width, with the lagging and the tension beside it.
 import { app } from "../../base/design.js";
 import { digits, dimensionOf, trim, unit } from "../../base/units.js";
-import { roundStep, ticks, warm } from "../../plots/svg.js";
+import { colour } from "../../plots/ramp.js";
+import { roundStep, ticks } from "../../plots/svg.js";
 import { h } from "../../vendor/preact.js";
 
 /** @import { Children } from "../../types.d.ts" */
@@ -78,7 +79,7 @@ function map(answer, name) {
         y: down(y, half) - tall / 2,
         width: X(to) - X(from) + 0.4,
         height: tall + 0.4,
-        fill: warm(part(rows[i][j])),
+        fill: colour(part(rows[i][j])),
       }),
     );
   });
@@ -127,7 +128,7 @@ function bar(title, u, lo, hi, right) {
         y: y - 8,
         width: (to - from) / n + 0.5,
         height: 8,
-        fill: warm(k / (n - 1)),
+        fill: colour(k / (n - 1)),
       }),
     ),
     h("text", { x: from - 5, y, class: "ty" }, digits(lo, 3)),

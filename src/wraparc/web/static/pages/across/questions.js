@@ -2,9 +2,10 @@
 import { app, redraw } from "../../base/design.js";
 import { Advice, act, ask } from "../../base/server.js";
 import { split } from "../../base/units.js";
-import { judgedIf, refused, standing, stands, table, verdict } from "../../parts/answers.js";
+import { standing } from "../../parts/answers.js";
 import { valueIn } from "../../parts/choose.js";
 import { again, attempt } from "../../parts/question.js";
+import { judgedIf, refused, stands, table, verdict } from "../../parts/tables.js";
 import { h } from "../../vendor/preact.js";
 import { askedCase } from "../drive/cases.js";
 

@@ -1,7 +1,7 @@
 // A drive whose load is still to be typed: on the strands, and where else it may come from.
 import { app, redraw, wrong } from "../../base/design.js";
 import { act } from "../../base/server.js";
-import { openExample } from "../../frame/files.js";
+import { openExample } from "../../frame/opened.js";
 import { NEEDED } from "../../parts/field.js";
 import { h } from "../../vendor/preact.js";
 import { describe } from "./conveyor.js";

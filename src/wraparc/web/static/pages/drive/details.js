@@ -1,15 +1,16 @@
 // Everything that an answer has besides the first screen. Fetched when it is opened.
 import { app, caseNames } from "../../base/design.js";
 import { words } from "../../base/units.js";
-import { judgedIf, standing, table, verdict } from "../../parts/answers.js";
+import { standing } from "../../parts/answers.js";
+import { judgedIf, table, verdict } from "../../parts/tables.js";
 import { Component, createRef, h } from "../../vendor/preact.js";
-import { offered, raise } from "./advice.js";
 import { after } from "./after.js";
 import { BySource } from "./by_source.js";
 import { figures, placeText, reading } from "./figures.js";
 import { alongside, marched, Pictures } from "./pictures.js";
 import { pins } from "./pins.js";
 import { answer, known, wholeArc } from "./solving.js";
+import { offered } from "./way.js";
 
 /** @import { FullArc, QuickAnswer } from "../../types.d.ts" */
 
@@ -118,11 +119,7 @@ function governing() {
     "div",
     { key: "governing", class: "governing" },
     title && h("h2", {}, title),
-    verdict(
-      judgedIf(how, full.verdict),
-      null,
-      offered() || raise(known()?.least_tension?.raise_to),
-    ),
+    verdict(judgedIf(how, full.verdict), null, offered()),
   );
 }
 /** What to know about the data. @param {QuickAnswer} arc */

@@ -1,7 +1,7 @@
 // The inputs of a drive: load first, then pulley, lagging, belt, load cases, the drive as a whole.
 
-import { app, blank, change, get, painted, redraw, set } from "../../base/design.js";
-import { putLagging } from "../../base/removed.js";
+import { app, get, painted, redraw, set } from "../../base/design.js";
+import { changeNaming, putLagging } from "../../base/removed.js";
 import { part } from "../../base/server.js";
 import { viewed, words } from "../../base/units.js";
 import { field, idOf, spec } from "../../parts/field.js";
@@ -62,6 +62,7 @@ const ofPulley = (i, key, label = "") =>
   field({
     spec: spec("pulley", key),
     path: ["pulley", i, key],
+    assumed: isAssumed(["pulley", i, key]),
     label: label || undefined,
     scale: scaleOf(key),
   });
@@ -106,6 +107,7 @@ function laggingPick(i) {
       spec: spec("pulley", "lagging"),
       path: at,
       label: "Lagging",
+      assumed: isAssumed(at),
       choices: laggingChoices(i),
       read: () => laggingName(get(app.doc, at)),
       put: (name) => putLagging(i, name),
@@ -122,6 +124,7 @@ export const ofBelt = (s) =>
   field({
     spec: s,
     path: ["belt", s.key],
+    assumed: isAssumed(["belt", s.key]),
     placeholder: ofPreset(s.key) ?? undefined,
     scale: scaleOf(s.key),
   });
@@ -136,19 +139,24 @@ function preset() {
       .filter((b) => b.kind === kind)
       .map((b) => /** @type {Choice} */ ([b.name, b.name])),
   }));
+  const own = app.doc.belt.preset;
+  const named = own && !presetBelt() ? [{ group: "by its name", choices: [[own, own]] }] : [];
   return field({
     spec: spec("belt", "preset"),
     path: ["belt", "preset"],
     label: "Belt",
-    choices: [{ choices: [["", "own values"]] }, ...groups],
+    assumed: isAssumed(["belt", "preset"]),
+    choices: /** @type {Choices[]} */ ([{ choices: [["", "own values"]] }, ...named, ...groups]),
     put: putBelt,
   });
 }
-/** A preset brings its own numbers: those typed over the last one would silently stay.
+/** A preset brings its own numbers: those typed over the last one go, and are named.
  * @param {string | undefined} name */
-function putBelt(name) {
+export function putBelt(name) {
   const {
     modulus,
+    modulus_test,
+    modulus_loads,
     rating,
     least_pulley_diameter,
     name: _,
@@ -160,7 +168,7 @@ function putBelt(name) {
   } = app.doc.belt;
   const own = modulus || ofPreset("modulus");
   const next = name ? { preset: name, ...kept } : { ...kept, ...(own && { modulus: own }) };
-  change(set(app.doc, ["belt"], next));
+  changeNaming(set(app.doc, ["belt"], next), ["preset"]);
 }
 
 /** What is turned less, fetched behind the first page. */
@@ -180,7 +188,7 @@ export function inputs(now) {
       onSubmit: (e) => e.preventDefault(),
       noValidate: true,
     },
-    h("h2", {}, "Inputs", h("span", {}, isUsual() ? "usual values" : "green: passes")),
+    h("h2", {}, "Inputs", h("span", {}, assumed()[0] ? "italic: assumed" : "green: passes")),
     loadBoxes(i),
     ofPulley(i, "wrap_angle"),
     laggingPick(i),
@@ -196,14 +204,9 @@ export function inputs(now) {
     also(),
   );
 }
-/** Whether all but the load stands as a new drive has it. */
-function isUsual() {
-  const { belt, pulley } = blank(app.units);
-  const { diameter, wrap_angle, lagging } = app.doc.pulley[0];
-  const now = [app.doc.belt, diameter, wrap_angle, lagging];
-  const usual = [belt, pulley[0].diameter, pulley[0].wrap_angle, pulley[0].lagging];
-  return !app.doc.title && JSON.stringify(now) === JSON.stringify(usual);
-}
+const isAssumed = (/** @type {Path} */ at) => late.more?.isAssumed(at) ?? false;
+/** Values of a new drive that nobody has touched, as texts. @returns {string[]} */
+export const assumed = () => late.more?.assumed() ?? [];
 /** Some of what is not turned here, to be seen. */
 function also() {
   const { belt, creep_limit, take_up, design_standard } = app.doc;

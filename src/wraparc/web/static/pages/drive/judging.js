@@ -7,10 +7,10 @@ import { arcsOf, asked, judge, misses } from "./judge.js";
 import * as own from "./own.js";
 import { answer } from "./solving.js";
 import { wholeOf } from "./whole.js";
-import { remarksOf, verdictOf } from "./words.js";
+import { remarksOf } from "./words.js";
 
+export { cure, find, hopeless, pane } from "./effects.js";
 export { confirmed } from "./own.js";
-export { find, ways } from "./ways.js";
 
 /** @import { Assembled, Book, Design, FullAnswer, QuickAnswer } from "../../types.d.ts" */
 
@@ -105,10 +105,7 @@ function take(doc, full, judging, numbers, moved) {
   const none = { level: /** @type {any} */ (""), levels: {} };
   const { level, levels } = arc || none;
   Object.assign(quick, { level, levels });
-  if (found) {
-    quick.verdict = verdictOf(found, quick.load_case);
-    quick.remarks = remarksOf(found);
-  }
+  if (found) quick.remarks = remarksOf(found);
   show();
 }
 /** A judgement as the server tells one; of a drive whose numbers alone have moved with what it

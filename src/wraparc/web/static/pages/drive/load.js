@@ -107,18 +107,15 @@ export const without = (table) =>
   Object.fromEntries(Object.entries(table).filter(([key]) => !TENSIONS.includes(key)));
 
 /**
- * A drive whose slack side is raised to at least a tension [N], in every load case or in one alone,
- * each pulling as it does.
- * @param {Design} doc @param {number} i @param {number} least
- * @param {string} [only] the load case, by its name @returns {Design}
+ * A drive whose slack side is raised to at least a tension [N] in every load case, Te unchanged.
+ * @param {Design} doc @param {number} i @param {number} least @returns {Design}
  */
-export function raised(doc, i, least, only) {
+export function raised(doc, i, least) {
   const all = loadOn(doc, i);
   const inCase = caseOn(doc, i);
-  /** @param {Load} load @param {string} name */
-  const lifted = (load, name) => {
-    const slack = Math.min(...ENDS.map((key) => load[key]));
-    const lift = only === undefined || only === name ? Math.max(0, least - slack) : 0;
+  /** @param {Load} load */
+  const lifted = (load) => {
+    const lift = Math.max(0, least - Math.min(...ENDS.map((key) => load[key])));
     return Object.fromEntries(ENDS.map((key) => [key, load[key] + lift]));
   };
   /** Those tensions that a table gives, at what they are now. @param {any} table
@@ -132,12 +129,12 @@ export function raised(doc, i, least, only) {
   };
   const pulley = doc.pulley[i];
   const before = pullsIn(pulley);
-  const next = put(pulley, lifted(all(before), "design"));
+  const next = put(pulley, lifted(all(before)));
   let changed = set(doc, ["pulley", i], next);
   const name = pulley.name ?? "";
   (doc.load_case ?? []).forEach((/** @type {any} */ c, /** @type {number} */ k) => {
     const own = c.pulley?.[name] ?? {};
-    const now = lifted(inCase(before, pullsIn(own)), c.name);
+    const now = lifted(inCase(before, pullsIn(own)));
     const short = put(own, now);
     const same = alike(now, inCase(pullsIn(next), pullsIn(short)));
     const both = Object.fromEntries(ENDS.map((key) => [key, tensionText(key, now[key])]));

@@ -1,7 +1,7 @@
 // A measured drive: what the record of an instrumented pulley says of the friction.
 import { app, caseNames, redraw, set } from "../../base/design.js";
 import { noteUndo, putLagging } from "../../base/removed.js";
-import { save } from "../../base/server.js";
+import { save } from "../../base/save.js";
 import { choose } from "../../parts/choose.js";
 import { Question } from "../../parts/question.js";
 import { h } from "../../vendor/preact.js";

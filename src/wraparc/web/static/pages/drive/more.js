@@ -1,6 +1,6 @@
 // What is turned less: how the load is given, the rest of pulley, lagging and belt, load cases, and
 // what the drive is held against. Fetched behind the first page.
-import { app, besides, change, edit, get, look, set } from "../../base/design.js";
+import { app, besides, blank, edit, get, look, set, touched } from "../../base/design.js";
 import { nameCheck, renameCase, renamePulley } from "../../base/names.js";
 import { changeNaming } from "../../base/removed.js";
 import { words } from "../../base/units.js";
@@ -14,8 +14,8 @@ import { byCase, isCase } from "./cases.js";
 import { called, go, held } from "./condition.js";
 import { conveyor } from "./conveyor.js";
 import { criteria } from "./criteria.js";
-import { catalogued, givenLoad, ofBelt, PAIRS, pairAt } from "./inputs.js";
-import { follows, takenOver } from "./load.js";
+import { catalogued, givenLoad, ofBelt, PAIRS, pairAt, putBelt } from "./inputs.js";
+import { caseOf, follows, loadOn, pullsIn, takenOver } from "./load.js";
 import { givenBy, givenInCase } from "./load_given.js";
 
 /** @import { Children, Path, Spec } from "../../types.d.ts" */
@@ -54,8 +54,13 @@ function taken(i, k, keys) {
 function by(i, { k, at, keys }) {
   const id = idOf(at, "pair");
   /** @param {string[]} pair */
-  const give = (pair) =>
-    change(k < 0 ? givenBy(app.doc, i, pair) : givenInCase(app.doc, i, k, pair));
+  const give = (pair) => {
+    const doc = k < 0 ? givenBy(app.doc, i, pair) : givenInCase(app.doc, i, k, pair);
+    // a load that is not known yet is not told by another pair
+    const known =
+      k < 0 ? loadOn(app.doc, i)(pullsIn(app.doc.pulley[i])) : caseOf(app.doc, i, k).now;
+    changeNaming(doc, Number.isFinite(known.effective_tension) ? TENSIONS : []);
+  };
   const pick = choose(
     Math.max(0, pairAt(keys)),
     PAIRS.map((keys, k) => [k, keys.map(sign).join(" and ")]),
@@ -127,7 +132,22 @@ function belt() {
     (f) => !skip.includes(f.key) && !["table", "belt"].includes(f.kind),
   );
   const [main, others] = parted(fields, ["speed", "modulus"]);
-  return [...main, ...others].map(ofBelt);
+  return [standardName(), ...[...main, ...others].map(ofBelt)];
+}
+/** A belt that the catalogue does not have, by its standard name. */
+function standardName() {
+  const of = spec("belt", "preset");
+  const listed = app.catalogue.belts.some((b) => b.name === app.doc.belt.preset);
+  return field({
+    spec: { ...of, kind: "text" },
+    path: ["belt", "preset"],
+    page: "named",
+    label: "Standard name",
+    placeholder: "EP 630/3",
+    read: () => (listed ? undefined : app.doc.belt.preset),
+    put: putBelt,
+    check: () => "",
+  });
 }
 function cases() {
   if (app.doc.conveyor && !app.doc.load_case) return [sideBySide(app.pulley)];
@@ -188,7 +208,7 @@ function ofCondition(i) {
     alone &&
       h(
         "button",
-        { type: "button", key: "of", onClick: () => change(set(app.doc, at, undefined)) },
+        { type: "button", key: "of", onClick: () => changeNaming(set(app.doc, at, undefined)) },
         "Take that of the drive",
       ),
   ];
@@ -256,3 +276,20 @@ function all(i, now) {
     ),
   ];
 }
+
+/** What a new drive begins with, beside its load. @type {Path[]} */
+const BEGUN = [
+  ["belt", "preset"],
+  ["belt", "width"],
+  ["pulley", 0, "diameter"],
+  ["pulley", 0, "wrap_angle"],
+  ["pulley", 0, "lagging"],
+];
+/** Whether a value of a new drive was never touched. @param {Path} at */
+export const isAssumed = (at) =>
+  app.begun &&
+  BEGUN.some((of) => of.join() === at.join()) &&
+  !touched.has(at.join()) &&
+  [blank("si"), blank("us")].some((of) => get(of, at) === get(app.doc, at));
+/** Values of a new drive that nobody has touched, as texts. @returns {string[]} */
+export const assumed = () => BEGUN.filter(isAssumed).map((at) => get(app.doc, at));

@@ -69,7 +69,6 @@ export function ownAnswer(base, doc, points, judged, assembled) {
     own: true,
     level: judged?.level ?? /** @type {any} */ (""),
     levels: judged?.levels ?? {},
-    verdict: judged?.verdict ?? base.answer.verdict,
     ...shownOf(found, Object.keys(base.answer.numbers)),
     creep_limit: given.creep_limit,
   };

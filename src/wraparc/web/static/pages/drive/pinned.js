@@ -1,6 +1,6 @@
 // A pinned design beside the present one, in numbers. Fetched when the first is pinned.
 import { keyFigures, shown, title } from "../../base/units.js";
-import { scroll } from "../../parts/answers.js";
+import { scroll } from "../../parts/tables.js";
 import { h } from "../../vendor/preact.js";
 
 /** @import { QuickAnswer } from "../../types.d.ts" */

@@ -3,12 +3,14 @@ import { app, redraw } from "../../base/design.js";
 import { act, part } from "../../base/server.js";
 import { h } from "../../vendor/preact.js";
 import { alongside } from "./pictures.js";
+import { answer } from "./solving.js";
 
 /** @import { QuickAnswer } from "../../types.d.ts" */
 
 /** @param {Partial<typeof alongside>} what */
 function put(what) {
   Object.assign(alongside, what, { turn: alongside.turn + 1 });
+  answer.pinned = alongside.pinned?.profile ?? null;
   redraw();
 }
 /** @type {typeof import("./pinned.js") | null} */

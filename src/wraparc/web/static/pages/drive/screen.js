@@ -10,10 +10,9 @@ import {
   painted,
   redraw,
   set,
-  undo,
   wrong,
 } from "../../base/design.js";
-import { AGAIN, act, askAgain, GONE, note, part, sentence } from "../../base/server.js";
+import { AGAIN, act, askAgain, GONE, part, sentence } from "../../base/server.js";
 import {
   besideUnit,
   digits,
@@ -29,24 +28,26 @@ import {
   words,
   written,
 } from "../../base/units.js";
-import { behind } from "../../frame/header.js";
+import { behind, fetchLate } from "../../frame/header.js";
 import { views } from "../../frame/tabs.js";
 import { BELOW, levelClass, lined, linesOf, list, standing } from "../../parts/answers.js";
 import { choose, oneOf } from "../../parts/choose.js";
-import { NEEDED, shownFields } from "../../parts/field.js";
+import { NEEDED, shownFields, spec } from "../../parts/field.js";
 import { TENSIONS } from "../../parts/problems.js";
 import { Curve } from "../../plots/curve.js";
 import { follow, Stage } from "../../plots/stage.js";
 import { Component, createRef, h } from "../../vendor/preact.js";
 import { lacking } from "./cases.js";
 import { shownCase } from "./condition.js";
-import { fromExample } from "./from_example.js";
+import { assumed, givenLoad } from "./inputs.js";
 import { keysOf, movedTo } from "./load.js";
 import { questions } from "./questions.js";
 import { fullTension, limits, scaleOf } from "./ranges.js";
-import { answer, known, onAnswer, solver, whole, wholeArc } from "./solving.js";
+import { answer, known, onAnswer, placeOf, solver, whole, wholeArc } from "./solving.js";
+import { rank, worseThan, worstOf } from "./worst.js";
 
-/** @import { Bar, Children, Design, FullArc, Level, QuickAnswer } from "../../types.d.ts" */
+/** @import { Bar, Children, FullArc, Level, Problem } from "../../types.d.ts" */
+/** @import { QuickAnswer } from "../../types.d.ts" */
 /** @import { Handle, StageData } from "../../plots/stage.js" */
 /** @import { CurveData } from "../../plots/curve.js" */
 
@@ -121,7 +122,17 @@ export class Screen extends Component {
     const arc = answer.foreign ? null : answer.quick;
     const { quantity, part } = this.state;
     const mark = limits();
-    const now = [arc, app.units, quantity, mark.t1, mark.t2, mark.wrap, app.doc, known()];
+    const now = [
+      arc,
+      app.units,
+      quantity,
+      mark.t1,
+      mark.t2,
+      mark.wrap,
+      app.doc,
+      known(),
+      answer.pinned,
+    ];
     if (this.stage && this.curve && now.some((v, i) => v !== this.drawn[i])) {
       this.stage.draw(stageData(arc, quantity));
       this.curve.draw(curveData(arc, quantity));
@@ -153,9 +164,9 @@ export class Screen extends Component {
     change(movedTo(app.doc, i, shownCase(i), ends, 6), key);
   }
   render() {
-    const { problems, slow, foreign, awaited } = answer;
+    const { slow, foreign, awaited } = answer;
     const arc = foreign ? null : answer.quick; // nothing stands under another drive's name
-    const refused = problems.length > 0;
+    const refused = unsolved().length > 0;
     const waits = (awaited || !arc) && !refused && !app.gone;
     const how = stood();
     const begin = beginning();
@@ -173,6 +184,8 @@ export class Screen extends Component {
         id: "results",
         "data-whole": whole() ? "yes" : undefined,
         "data-stands": how,
+        "data-alone": alone() ? "yes" : undefined,
+        "data-judged": known() ? "yes" : undefined,
       },
       h("div", { class: "sub" }, app.page === "drive" && views(), picks()),
       h(
@@ -234,13 +247,11 @@ export class Screen extends Component {
   checks(arc, none) {
     const full = wholeArc();
     const all = sorted(full);
-    const missed = all.filter((b) => rank(b) > 0).length;
-    const passed = `${all.length - missed} of ${all.length} pass`;
     const chosen = all.find((b) => b.title === this.state.check) ?? all[0];
     return h(
       "aside",
       { class: "checks card", "aria-label": "Checks against their limits" },
-      h("h2", {}, "Checks", all.length > 0 && h("span", {}, `${passed} · bar: % of limit`)),
+      h("h2", {}, "Checks", all.length > 0 && h("span", {}, "bar: % of limit")),
       !arc && none?.(),
       h(
         "ul",
@@ -248,9 +259,7 @@ export class Screen extends Component {
         all.map((b) => checkOf(b, chosen === b, () => this.setState({ check: b.title }))),
       ),
       chosen && reasonOf(chosen, full),
-      app.doc.pulley.length < 2 &&
-        !(arc && arc.numbers.effective_tension < 0) &&
-        h("div", { class: "changes" }, changes()),
+      h("div", { class: "changes" }, changes(arc)),
       arc && sources(arc),
     );
   }
@@ -271,7 +280,9 @@ export class Screen extends Component {
  * @param {Children} inside */
 export const fold = (id, onToggle, inside) =>
   h("details", { id, class: "card", onToggle }, h("summary", {}, "Details"), inside);
-const stood = () => standing(answer.quickDoc === app.doc, answer.problems);
+/** What keeps the load case that is looked at from being solved. */
+const unsolved = () => (lacking() ? lackingKeys() : answer.problems);
+const stood = () => standing(answer.quickDoc === app.doc, unsolved());
 
 // The verdict.
 
@@ -297,24 +308,38 @@ export const said = (level, text, more, action, alert = null, id = "verdict", la
     h("div", { role: "alert", tabIndex: alert ? 0 : undefined }, alert),
     h("div", { class: "act" }, action),
   );
-/** @param {QuickAnswer | null} arc @param {boolean} refused */
+/** The verdict on the whole drive, with a way to the load case that governs. Until all of it is
+ * known nothing is judged.
+ * @param {QuickAnswer | null} arc @param {boolean} refused */
 function verdict(arc, refused) {
+  if (lacking()) return behind()?.caseLacks(lackingKeys()) ?? said("", "Missing.", "");
   if (refused) return notComputed(arc !== null);
   if (silent()) return said("", gone(arc && "Previous results."), SAFE, askNow());
   if (!arc) return said("", "Solving …", "");
   const how = stood();
   if (how !== "fresh") return said("", "Solving …", BELOW);
-  const { level, verdict: v } = arc;
   const full = known();
-  if (!level) return said("", creepOf(arc), "");
-  const does = full && action(arc);
-  const lacks =
-    lacking() && `Load case design lacks a tension and is left out. Shown is ${arc.load_case}.`;
-  const tried = rank(arc) > 0 ? whole()?.verdict.action : null;
-  const lines = linesOf({ ...v, action: tried ?? (does ? null : v.action) });
-  const more = [lacks || elsewhere(full?.arcs, arc), lined(lines)];
-  return said(level, words(v.text), more, does, null, undefined, v.label);
+  if (!full) return said("", creepOf(arc), "");
+  const v = full.verdict;
+  const does = action(v);
+  const lines = linesOf({ ...v, action: whole() || !does ? v.action : null }, MOST_ALSO);
+  if (full.unsearched && !does && !v.action && rank(v) > 0 && solver()?.hopeless())
+    lines.unshift(["Action", HOPELESS]);
+  const usual = assumed().join(", ");
+  if (usual) lines.push(["Assumed", `${usual}.`]);
+  const more = [alone() && lined([ALONE]), elsewhere(full.arcs, arc), lined(lines)];
+  return said(v.level, words(v.text), more, does, null, undefined, v.label);
 }
+/** Further checks that the card has room for; all of them stand beside it. */
+const MOST_ALSO = 1;
+const HOPELESS = "No change tried here passes; the server searches combinations.";
+/** Whether the page judges without the server. */
+const alone = () => app.gone && !whole();
+/** @type {import("../../parts/answers.js").Line} */
+const ALONE = ["Server", "No answer: judged by this page alone."];
+/** The tensions that the load case looked at still lacks. */
+const lackingKeys = () =>
+  givenLoad(app.pulley)?.keys.filter((key) => app.doc.pulley[app.pulley][key] == null) ?? [];
 /** @param {QuickAnswer} arc */
 const creepOf = (arc) =>
   arc.status === "solved"
@@ -326,7 +351,7 @@ const SAFE = `${AGAIN} Nothing typed is lost.`;
 const gone = (more) => h("span", { class: "gone", role: "alert" }, GONE, " ", more);
 const askNow = () =>
   h("button", { type: "button", class: "main advice", onClick: askAgain }, "Calculate");
-const cut = () => app.gone && app.page === "drive";
+const cut = () => app.gone && !app.stranger && app.page === "drive";
 /** Whether what is asked now waits for a server that is gone: the page solves most by itself. */
 const silent = () => cut() && !answer.problems.length && stood() !== "fresh";
 /** What keeps the drive from being solved. @param {boolean} before whether an answer stands */
@@ -340,8 +365,15 @@ function notComputed(before) {
     return said("", "", "", null, [
       h("p", {}, `${head} ${below}`),
       list(reasons.map(sentence), "reasons"),
+      mended(reasons),
     ]);
   return said("", missing(), below);
+}
+/** What mends an unknown key, fetched with all that is behind the first answer.
+ * @param {Problem[]} problems */
+function mended(problems) {
+  if (!behind() && !app.lacks) fetchLate(null);
+  return behind()?.mend(problems);
 }
 /** The fields that are wrong, each with its reason under it, or still to be filled in. */
 export function missing() {
@@ -361,66 +393,22 @@ function nameOf(key) {
   const of = at === "pulley" && app.doc.pulley[1] ? `, pulley ${app.doc.pulley[+i].name}` : "";
   return `${shownFields.get(key)?.[0]}${of}`;
 }
-const LEVELS = ["OK", "ATTENTION", "FAILS", "INTERNAL ERROR"];
-export const rank = (/** @type {{level: Level}} */ a) => LEVELS.indexOf(a.level);
 const use = (/** @type {QuickAnswer | FullArc} */ a) =>
   a.status === "solved" ? Math.abs(a.numbers.exit_creep) / a.creep_limit : Infinity;
-/** Which comes off worse, as the program has it. @param {FullArc} a @param {FullArc} b */
-const worseThan = (a, b) => rank(b) - rank(a) || a.order - b.order;
-/** Another load case or pulley that comes off worse, and a way there.
- * @param {FullArc[] | undefined} arcs @param {QuickAnswer} arc */
+/** The load case or pulley that governs, where another is looked at, and a way there.
+ * @param {FullArc[]} arcs @param {QuickAnswer} arc */
 function elsewhere(arcs, arc) {
-  const here = arcs?.find((a) => a.pulley === arc.pulley && a.load_case === arc.load_case);
-  if (!arcs || !here) return null;
-  const worse = arcs.filter((a) => rank(a) > 0 && worseThan(a, here) < -0.001).sort(worseThan)[0];
-  if (!worse) return null;
-  const pulley = app.doc.pulley.findIndex((p) => p.name === worse.pulley);
-  const place =
-    worse.pulley === arc.pulley ? worse.load_case : `${worse.load_case}, ${worse.pulley}`;
-  const to = () => look({ case: worse.load_case, pulley: Math.max(0, pulley) });
-  return h(
-    "span",
-    { class: "line" },
-    h("b", {}, "Governing"),
-    " ",
-    h("button", { type: "button", class: "link", onClick: to }, `${place}: ${worse.short}`),
-  );
+  const here = arcs.find((a) => a.pulley === arc.pulley && a.load_case === arc.load_case);
+  const worst = worstOf(arcs);
+  if (!here || rank(worst) < 1 || worseThan(worst, here) >= -0.001) return null;
+  const { pulley: name, load_case } = worst;
+  const onClick = () => look({ case: load_case, pulley: placeOf(name) });
+  const place = name === arc.pulley ? load_case : `${load_case}, ${name}`;
+  const to = h("button", { type: "button", class: "link", onClick }, place);
+  return h("span", { class: "line" }, h("b", {}, "Governing"), " ", to);
 }
-/** What helps, solved before it is offered. @param {QuickAnswer} arc @returns {Children} */
-function action(arc) {
-  if (rank(arc) < 1) return null;
-  const first = behind()?.offered();
-  if (first) return first;
-  const { train } = app.doc;
-  if (train && !Array.isArray(train.share)) return null; // the load divides anew: see the details
-  const all = known()?.least_tension?.raise_to;
-  const found = all != null ? behind()?.raise(all) : behind()?.raiseAlone(wholeArc());
-  if (found) return found;
-  const ways = solver()?.ways() ?? [];
-  const better = ways.filter((w) => w.helps).sort((a, b) => a.creep - b.creep);
-  const way = ways.find((w) => w.level === "OK") ?? better[0];
-  if (!way) return null;
-  const text = `${way.does}: ${shown("exit_creep", way.creep, 3)}`;
-  return h(
-    "button",
-    {
-      type: "button",
-      class: "main advice",
-      onClick: () => take(way.doc, text),
-      disabled: gripped(),
-    },
-    text,
-  );
-}
-/** Take a change in, with a way back. @param {Design} doc @param {string} text */
-function take(doc, text) {
-  change(doc);
-  const back = () => {
-    undo();
-    note("");
-  };
-  note([`${text}. `, h("button", { type: "button", onClick: back }, "Undo")]);
-}
+/** What helps, solved before it is offered. @param {{level: Level}} v @returns {Children} */
+const action = (v) => (rank(v) < 1 ? null : (behind()?.offered() ?? solver()?.cure()));
 
 // Load cases.
 
@@ -435,16 +423,19 @@ function worstIn(arcs, name, own) {
  * @param {string} [of] another view, whose names of parts are its own */
 export function picks(of = "") {
   const names = app.doc.pulley.map((p) => p.name || "");
-  const arcs = answer.problems.length || stood() !== "fresh" ? undefined : known()?.arcs;
-  const cases = arcs ? [...new Set(arcs.map((a) => a.load_case))] : caseNames(app.doc);
+  const fresh = lacking() ? !answer.problems.length : stood() === "fresh";
+  const arcs = fresh ? known()?.arcs : undefined;
+  const cases =
+    arcs && !lacking() ? [...new Set(arcs.map((a) => a.load_case))] : caseNames(app.doc);
   const at = Math.max(0, cases.indexOf(app.case || cases[0]));
   const to = (/** @type {number} */ i) => look({ case: cases[i] });
+  const lacks = lacking() ? `${spec("tensions", lackingKeys()[0]).symbol}?` : "–";
   const chip = (/** @type {string} */ name, /** @type {number} */ i) => {
     const own = of === "-train" ? undefined : names[app.pulley]; // there all are seen at once
     const arc = worstIn(arcs, name, own);
     const whose = own && arc && arc.pulley !== own ? `: ${arc.pulley}` : "";
-    const creeps = arc && (arc.status === "solved" ? short(use(arc)) : "slips");
-    const spoken = arc ? `Creep is ${creeps} of its limit: ${arc.short}` : "";
+    const most = arc && (arc.status === "solved" ? short(mostUsed(arc)) : "slips");
+    const spoken = arc ? `Highest use of a limit: ${most}; ${arc.short}` : "";
     return h(
       "button",
       {
@@ -458,7 +449,7 @@ export function picks(of = "") {
       glyph(arc?.level ?? null),
       h("span", {}, `${name}${whose}`),
       " ",
-      h("i", { class: levelClass(arc?.level) }, creeps ?? "–"),
+      h("i", { class: levelClass(arc?.level) }, most ?? (arcs ? lacks : "–")),
     );
   };
   const many = cases.length > MANY;
@@ -487,6 +478,8 @@ export function picks(of = "") {
   );
 }
 const more = act(async () => (await part(() => import("./add_case.js"))).addCase());
+/** The highest use of any limit. @param {FullArc} arc */
+const mostUsed = ({ bars }) => Math.max(0, ...bars.map(used));
 /** A share that a chip has room for. @param {number} v */
 const short = (v) => (v < 10 ? percent(v) : ">999 %");
 const MANY = 6; // load cases: more are a list
@@ -521,7 +514,7 @@ const GLYPHS = {
   FAILS: "M7 1a6 6 0 1 1-.01 0M4.5 4.5l5 5m0-5-5 5",
 };
 /** @param {Level | null} level @param {number} [n] size */
-function glyph(level, n = 13) {
+export function glyph(level, n = 13) {
   const d = level ? (GLYPHS[level] ?? GLYPHS.FAILS) : "";
   const path = level
     ? h("path", { d, class: "stroke" })
@@ -558,7 +551,12 @@ export function checkOf(b, chosen, choose, of = "why") {
       "button",
       { type: "button", "aria-expanded": chosen, "aria-controls": of, onClick: choose },
       glyph(b.level),
-      h("span", { class: `n ${cls}` }, b.title, h("span", { class: "away" }, `, ${b.level}`)),
+      h(
+        "span",
+        { class: `n ${cls}`, title: b.title },
+        b.title,
+        h("span", { class: "away" }, `, ${b.level}`),
+      ),
       h("span", { class: "v" }, h("b", { class: cls }, words(b.found)), " ", atLimit(b)),
       h(
         "span",
@@ -594,38 +592,19 @@ export function reasonOf(b, full, id = "why") {
     { class: "why", id, role: "region", "aria-label": "Reason and source", tabIndex: 0 },
     h("h3", {}, `${b.title}: ${percent(b.share)} of the limit`),
     h("p", {}, words(b.says) || `${words(b.found)}, ${sense(b)} ${words(b.limit)}.`),
-    h("p", { class: "src" }, [b.place, b.source || told?.source].filter(Boolean).join(". ")),
+    h("p", { class: "src" }, [words(b.place), b.source || told?.source].filter(Boolean).join(". ")),
   );
 }
-function changes() {
-  const all = solver()?.ways() ?? [];
-  if (!all.length) return null;
-  return [
-    h("h2", {}, "Effect of changes"),
-    h(
-      "ul",
-      { class: "ways" },
-      all.map((w) => {
-        const to = Number.isFinite(w.creep) ? shown("exit_creep", w.creep, 3) : "slips";
-        return h(
-          "li",
-          { key: w.title },
-          h(
-            "button",
-            {
-              type: "button",
-              disabled: gripped(),
-              onClick: () => take(w.doc, `${w.title}: ${to}`),
-            },
-            glyph(w.level),
-            h("span", {}, w.title, h("span", { class: "away" }, `, ${w.level}`)),
-            h("b", { class: levelClass(w.level) }, to),
-          ),
-        );
-      }),
-    ),
-  ];
-}
+/** Effect of changes, and reserve; until they are there, what has their place.
+ * @param {QuickAnswer | null} arc */
+const changes = (arc) =>
+  solver()?.pane() ?? (arc && !app.gone ? [h("h2", {}, "Effect of changes"), bones()] : null);
+export const bones = () =>
+  h(
+    "ul",
+    { class: "ways", "aria-hidden": "true" },
+    [1, 2, 3, 4, 5].map((i) => h("li", { key: i }, h("span", { class: "way bone" }))),
+  );
 const PARTS = [
   ["creep_shrinkage", "belt shrinks", "q2"],
   ["creep_compression", "lagging", "q3"],
@@ -669,7 +648,7 @@ export function foot(arc, more) {
       h("span", { class: "mark illustrative" }, "Illustrative data: no real product."),
     kinds.includes("calibrated") && h("span", { class: "mark calibrated" }, "Calibrated data."),
     h("span", { class: out > 0 ? "mark outside" : "" }, range),
-    more || fromExample(),
+    more,
   );
 }
 
@@ -737,9 +716,10 @@ function stageData(arc, q) {
     level: levelClass(arc && fresh ? creepLevel(arc) : null),
     solved,
     hub: hub(arc),
-    figures: arc ? FIGURES.map(([label, key]) => [label, figure(key, n)]) : [],
+    figures: arc ? figuresOf(n) : [],
     legend: solved
-      ? `band and colour: ${name.toLowerCase()}, to ${digits(+trim(most / f, 3))} ${u}`.trim()
+      ? `${name.toLowerCase()} to ${digits(+trim((limit || most) / f, 3))} ${u}` +
+        (limit ? ", orange above" : "")
       : "",
     told: arc
       ? `Pulley with its wrapped arc; ${hub(arc).filter(Boolean).join(" ")}`
@@ -760,6 +740,13 @@ const FIGURES = [
   ["T1 / T2", "tension_ratio"],
   ["Power lost to creep", "power_loss"],
 ];
+/** Of several pulleys it is said that the loss is of one. @param {Record<string, any>} n
+ * @returns {[string, string][]} */
+const figuresOf = (n) =>
+  FIGURES.map(([label, key]) => [
+    key === "power_loss" && app.doc.pulley.length > 1 ? "Power lost here" : label,
+    figure(key, n),
+  ]);
 /** @param {string} key @param {Record<string, any>} n */
 const figure = (key, n) =>
   key === "transmitted_power"
@@ -801,11 +788,18 @@ function curveData(arc, q) {
     values: scaled(q),
     limit: limit / f,
     limitText: limit ? `limit ${show(limit, "length")}` : "",
-    beside: solved && q === "friction_used" ? scaled("friction") : null,
+    beside: solved ? (q === "friction_used" ? scaled("friction") : pinnedCourse(arc, q, f)) : null,
     bars: slips ? bars : [],
     note: slips ? "Gross slip: no curve." : arc ? "" : "No result yet.",
     told: `${title(q)} along the wrap${u && ` [${u}]`}`,
   };
+}
+/** What was pinned, at the same shares of the wrap. @param {QuickAnswer} arc @param {string} q
+ * @param {number} f */
+function pinnedCourse({ profile: { position } }, q, f) {
+  const of = answer.pinned;
+  const at = of && follow(of.position, of[q]);
+  return at && position.map((v) => at(v / position[position.length - 1]) / f);
 }
 /** @param {QuickAnswer} arc @param {number} part @returns {Children[]} */
 function reading({ profile: p }, part) {

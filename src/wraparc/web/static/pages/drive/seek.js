@@ -2,11 +2,12 @@
 import { app, change, get, redraw, set } from "../../base/design.js";
 import { act, ask } from "../../base/server.js";
 import { dimensionOf, title, trim, unit, viewed, words, written } from "../../base/units.js";
-import { badge, refused, standing, stands } from "../../parts/answers.js";
+import { standing } from "../../parts/answers.js";
 import { choose, valueIn } from "../../parts/choose.js";
 import { spec } from "../../parts/field.js";
 import { Plot } from "../../parts/plot.js";
 import { again, attempt } from "../../parts/question.js";
+import { badge, refused, stands } from "../../parts/tables.js";
 import { h } from "../../vendor/preact.js";
 import { askedCase } from "./cases.js";
 import { shownCase } from "./condition.js";

@@ -2,7 +2,7 @@
 import { app, caseNames, gripped, painted, redraw, wrong } from "../../base/design.js";
 import { aborted, ask, later, onReturn, part, refusal } from "../../base/server.js";
 import { mark } from "../../parts/problems.js";
-import { askedCase } from "./cases.js";
+import { askedCase, lacking } from "./cases.js";
 
 /** @import { Design, FullAnswer, FullArc, Problem, QuickAnswer } from "../../types.d.ts" */
 
@@ -25,6 +25,8 @@ export const answer = {
   /** The whole as the page itself judges it. */
   judged: /** @type {FullAnswer | null} */ (null),
   judgedDoc: /** @type {Design | null} */ (null),
+  /** The course of a design that was pinned. @type {Record<string, number[]> | null} */
+  pinned: null,
 };
 /** Whether everything is solved of the present document. */
 export const whole = () => (answer.fullDoc === app.doc ? answer.full : null);
@@ -35,6 +37,12 @@ export const known = () =>
 export const wholeArc = () =>
   (known() || answer.full)?.arcs.find(
     (a) => a.pulley === answer.quick?.pulley && a.load_case === answer.quick?.load_case,
+  );
+/** @param {string} name */
+export const placeOf = (name) =>
+  Math.max(
+    0,
+    app.doc.pulley.findIndex((p) => p.name === name),
   );
 /**
  * Tensions of a pulley by the last answer, if that is of the present document and of a state that
@@ -58,6 +66,8 @@ export const onAnswer = (f) => {
  * @type {WeakMap<Design, {quick: QuickAnswer, whole: FullAnswer}>} */
 export const came = new WeakMap();
 let openedAs = 0;
+/** A design as it was opened, where no load case was chosen: the governing one is shown. */
+let openedDoc = /** @type {Design | null} */ (null);
 /** @type {unknown[]} */
 let asked = [];
 let sequence = 0;
@@ -67,6 +77,8 @@ let wanted = false;
 const POINTS = 120;
 /** Most arcs whose whole answer comes close enough behind the first to be waited for. */
 const FEW = 9;
+/** Most arcs that are solved for the first answer, which tells of the one that governs. */
+const BRIEF = 6;
 /** What the server solved last: the page moves numbers from there.
  * @type {{doc: Design, answer: QuickAnswer, pulley: number, case: string} | null} */
 let base = null;
@@ -88,16 +100,21 @@ export const solver = () => own;
 let before;
 /** Ask for what the present document lacks; called after every change. */
 export function solve() {
+  // what is changed before an answer says what governs is of the case whose fields stand there
+  const documentChanged = asked[0] !== app.doc;
+  if (asked[0] && documentChanged && app.opened === openedAs && !app.case)
+    app.case = caseNames(app.doc)[0] ?? "";
   const key = [app.doc, app.pulley, app.case];
   if (key.every((k, i) => k === asked[i])) return rest();
-  const documentChanged = asked[0] !== app.doc;
   before = wrong.at;
   asked = key;
   answer.quickDoc = null;
   if (app.opened !== openedAs) {
     openedAs = app.opened;
     // nothing of the drive before stands under the name of this one
-    const awaited = app.doc.pulley.length * caseNames(app.doc).length <= FEW;
+    const arcs = app.doc.pulley.length * caseNames(app.doc).length;
+    const awaited = arcs <= FEW;
+    openedDoc = arcs > BRIEF || app.case || app.pulley ? null : app.doc;
     Object.assign(answer, { foreign: true, full: null, fullDoc: null, judged: null, awaited });
   }
   const found =
@@ -161,7 +178,10 @@ async function quick() {
 async function quickOnce(doc) {
   const of = { doc, pulley: app.pulley, case: app.case };
   const { opened } = app;
-  const arc = { pulley: doc.pulley[of.pulley]?.name ?? null, load_case: askedCase() };
+  const governing = doc === openedDoc && !of.pulley && !of.case;
+  const arc = governing
+    ? { governing }
+    : { pulley: doc.pulley[of.pulley]?.name ?? null, load_case: askedCase() };
   const how = { points: POINTS, sequence: ++sequence, tables: false, prepared: true };
   /** @type {Problem[]} */
   let problems = [];
@@ -169,13 +189,16 @@ async function quickOnce(doc) {
     const given = !of.pulley && !of.case && came.get(doc)?.quick;
     const found = given || (await ask("solve/fast", { document: doc, ...arc, ...how }));
     if (opened !== app.opened) return; // of the drive that was open before
+    // of another load case than the one that lacks a tension: the last answer stays
+    if (lacking()) return told([]);
     base = { ...of, answer: found };
     const looked = of.pulley === app.pulley && of.case === app.case;
     take(found, doc === app.doc && looked && !wanted ? doc : null);
     if (!app.case && looked && doc === app.doc) {
       // the one that is meant where none is named stays the one looked at
       asked[2] = base.case = app.case = found.load_case;
-      if (found.load_case !== caseNames(doc)[0]) redraw();
+      if (given || governing) asked[1] = base.pulley = app.pulley = placeOf(found.pulley);
+      if (app.pulley || found.load_case !== caseNames(doc)[0]) redraw();
     }
     settle();
   } catch (x) {

@@ -2,6 +2,7 @@
 import { arcTables, Sources, summaryTable } from "../../reader.js";
 import { leastAlone, leastTold } from "./least.js";
 import { barsOf, checkTable, driveIn, remarksOf, resultsIn, tableOf, verdictOf } from "./words.js";
+import { worstOf } from "./worst.js";
 
 /** @import { Assembled, FullAnswer, FullArc, QuickAnswer } from "../../types.d.ts" */
 /** @import { Judged } from "./judge.js" */
@@ -15,7 +16,7 @@ export function wholeOf(judged) {
   const verdict = verdictOf(judged);
   if (least_tension) verdict.sentences.unshift(least_tension.sentence);
   const arcs = judged.arcs.map((_, i) => arcOf(judged, i));
-  const worst = arcs.find((a) => a.level === verdict.level) ?? arcs[0];
+  const worst = worstOf(arcs);
   return {
     verdict,
     governing: { pulley: worst.pulley, load_case: worst.load_case },
@@ -32,6 +33,7 @@ export function wholeOf(judged) {
     sources: judged.of.kinds.map((kind) => ({ kind })),
     remarks: remarksOf(judged),
     judging: null,
+    unsearched: true,
   };
 }
 /** @param {Judged} judged @param {number} i @returns {FullArc} */
@@ -91,7 +93,6 @@ export const firstAnswer = (c) => ({
   profile: {},
   tested: c.tested,
   outside: [],
-  verdict: { level: /** @type {any} */ (""), text: "", sentences: [] },
   remarks: [],
   prepared: null,
 });

@@ -20,11 +20,15 @@ const verdictAt = ({ verdict }, load_case, pulley) =>
 
 /** The verdict on a drive, or on one of its load cases, and pulleys. @param {Judged} judged
  * @param {string} [load_case] @param {string} [pulley]
- * @returns {Verdict & {levels: Record<string, Level>, short: string, order: number}} */
+ * @returns {Verdict & {levels: Record<string, Level>, short: string, order: number,
+ *   cause: Cause}}
+ * @typedef {{name: string, label: string, load_case: string, found: string}} Cause what governs,
+ *   and what it comes to */
 export function verdictOf(judged, load_case, pulley) {
   const verdict = verdictAt(judged, load_case, pulley);
   const { level, label, text, wet_text, data, listed } = verdict;
-  const action = verdict.governing?.action_text;
+  const worst = verdict.governing;
+  const action = (verdict.kind_in_doubt ?? worst)?.action_text;
   const levels = listed
     .filter((/** @type {any} */ c) => c.level !== NOT_CHECKED)
     .map((/** @type {any} */ c) => [c.name, c.level]);
@@ -39,9 +43,17 @@ export function verdictOf(judged, load_case, pulley) {
     sentences: [...verdict.full],
     short: shortOf(judged, verdict, load_case, pulley),
     order: orderIn(verdict),
+    cause: causeOf(worst),
     levels: Object.fromEntries(levels),
   };
 }
+/** @param {any} check @returns {Cause} */
+const causeOf = (check) => ({
+  name: check?.name ?? "",
+  label: check?.label ?? "",
+  load_case: check?.place.load_case ?? "",
+  found: check && !Number.isNaN(check.share) ? check.texts()[0] : "",
+});
 /** A further check that is missed, without what else it is. @param {any} check */
 const alsoOf = ({ level, name, text }) => ({ level, name, text });
 /** The answer in a few words; of a whole drive that of the arc that governs.

@@ -1,10 +1,9 @@
 // The player: pulleys with belt and stress in motion, a slider of time, histories with a cursor.
 import { app } from "../../base/design.js";
-import { percent, show, title, unit } from "../../base/units.js";
+import { digits, percent, show, title, unit } from "../../base/units.js";
 import { choose, oneOf } from "../../parts/choose.js";
 import { Plot } from "../../parts/plot.js";
-import { MovingPulley } from "../../plots/moving.js";
-import { colourScale } from "../../plots/pulley.js";
+import { colourScale, MovingStage } from "../../plots/moving.js";
 import { Component, createRef, h } from "../../vendor/preact.js";
 import { angles, between, largest, value, wrap } from "./course.js";
 import { histories } from "./histories.js";
@@ -45,23 +44,19 @@ export class Player extends Component {
   scale = createRef();
   /** @type {(HTMLElement | null)[]} */
   boxes = [];
-  /** @type {MovingPulley[]} */
+  /** @type {MovingStage[]} */
   pulleys = [];
   chart = /** @type {Chart | null} */ (null);
   /** @type {number[][]} */
   turned = [];
   units = app.units;
   most = 1;
+  full = 1;
 
   componentDidMount() {
     const { run } = this.props;
     this.pulleys = run.drums.map(
-      (d, i) =>
-        new MovingPulley(
-          /** @type {HTMLElement} */ (this.boxes[i]),
-          d.diameter / 2,
-          d.belt_thickness,
-        ),
+      (d, i) => new MovingStage(/** @type {HTMLElement} */ (this.boxes[i]), d.diameter / 2),
     );
     this.turned = run.drums.map((d) => angles(run, d));
     this.key();
@@ -88,10 +83,15 @@ export class Player extends Component {
   key() {
     const { what } = this.state;
     const [title, dimension] = WHATS[what];
-    this.most = largest(this.props.run.drums.map((d) => d[what]));
+    const { drums } = this.props.run;
+    const limit = Math.max(...drums.map((d) => this.limit(d)));
+    this.most = Math.max(largest(drums.map((d) => d[what])), 1.02 * limit);
+    this.full = largest([drums.flatMap((d) => [d.entry_tension, d.exit_tension])]);
     const [u, f] = unit(dimension);
-    colourScale(this.scale.current, `${title} [${u}]`, this.most / f);
+    colourScale(this.scale.current, `${title} [${u}]`, this.most / f, limit / f);
   }
+  /** What the quantity that is shown must not exceed; 0 for none. @param {Drum} d */
+  limit = (d) => (this.state.what === "creep" ? d.creep_limit : 0);
   play = () => {
     if (this.now >= this.end) this.now = 0;
     this.last = performance.now();
@@ -140,27 +140,34 @@ export class Player extends Component {
     const [t1, t2] = [value(d.entry_tension, row), value(d.exit_tension, row)];
     const values = wrap(d[this.state.what], frame);
     const share = value(d.share, row);
+    const now = Math.abs(value(d.exit_creep, row));
     const creep = show(value(d.exit_creep, row), "length", 3);
     const pulls = `${t1 < t2 ? "brakes" : "pulls"} ${show(Math.abs(t1 - t2), "force", 3)}`;
-    const step = d.wrap_angle / (values.length - 1);
+    const part = (/** @type {number} */ k) => k / (values.length - 1);
+    const { run } = this.props;
+    const peak = Math.max(...d.exit_creep.map(Math.abs));
+    const [u, f] = unit("length");
     this.pulleys[i].draw({
       phi: d.wrap_angle,
-      position: values.map((_, k) => k * step),
-      values,
-      most: this.most,
-      t1,
-      t2,
-      text1: `T1 ${show(t1, "force", 3)}`,
-      text2: `T2 ${show(t2, "force", 3)}`,
-      duty: "",
-      outside: [],
-      stuck: 0,
-      peak: 0,
+      ...{ t1, t2, values, most: this.most, full: this.full, limit: this.limit(d) },
+      position: values.map((_, k) => part(k) * d.wrap_angle),
+      tension: values.map((_, k) => t1 + (t2 - t1) * part(k)),
+      level: run.steady || now <= d.creep_limit ? "" : "warn",
+      solved: true,
+      hub: [
+        `${d.name}: creep`,
+        digits(now / f),
+        u,
+        run.steady ? "" : `peak ${show(peak, "length", 3)}`,
+        `limit ${show(d.creep_limit, "length", 3)}`,
+      ],
+      ...{ figures: [], legend: "", handles: {}, marks: {} },
+      texts: { t1: `T1 ${show(t1, "force", 3)}`, t2: `T2 ${show(t2, "force", 3)}`, wrap: "" },
       told: `${d.name}: ${pulls}, ${title("exit_creep").toLowerCase()} ${creep}`,
     });
     const caption = this.boxes[i]?.parentElement?.querySelector("figcaption span");
-    const part = Number.isNaN(share) ? "" : `, share ${percent(share, 2)}`;
-    if (caption) caption.textContent = `${pulls}${part}, creep ${creep}`;
+    const shared = Number.isNaN(share) ? "" : `, share ${percent(share, 2)}`;
+    if (caption) caption.textContent = `${pulls}${shared}, creep ${creep}`;
     if (!calm()) {
       const { travel } = this.props.run;
       this.pulleys[i].turn(value(travel, row), value(this.turned[i], row));
@@ -200,7 +207,7 @@ export class Player extends Component {
           "p",
           { class: "help" },
           run.steady && `${STEADY}, load case ${run.steady}. `,
-          "Blue where it acts the other way: there the pulley brakes the belt.",
+          "Grey where it acts the other way: there the pulley brakes the belt.",
         ),
       ),
       run.steady

@@ -1,5 +1,5 @@
 // What differs between two versions of a design, value by value as it was typed.
-import { scroll } from "../../parts/answers.js";
+import { scroll } from "../../parts/tables.js";
 import { h } from "../../vendor/preact.js";
 
 /** @import { Design } from "../../types.d.ts" */

@@ -1,10 +1,11 @@
 // The form of a study: what is varied, how it is drawn, and how accurately it is solved.
 import { app, redraw } from "../../base/design.js";
-import { act, ask, note, save } from "../../base/server.js";
-import { scroll } from "../../parts/answers.js";
+import { save } from "../../base/save.js";
+import { act, ask, note } from "../../base/server.js";
 import { Box } from "../../parts/box.js";
 import { choose } from "../../parts/choose.js";
 import { spec } from "../../parts/field.js";
+import { scroll } from "../../parts/tables.js";
 import { h } from "../../vendor/preact.js";
 import { asFile, axis, DISTRIBUTIONS, fields, KINDS, plan, scaled } from "./plan.js";
 

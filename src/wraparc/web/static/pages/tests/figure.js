@@ -1,9 +1,10 @@
 // Curves clicked on the picture of a figure. The picture stays in the browser; its points go.
 import { redraw } from "../../base/design.js";
-import { act, save } from "../../base/server.js";
+import { save } from "../../base/save.js";
+import { act } from "../../base/server.js";
 import { trim } from "../../base/units.js";
-import { scroll } from "../../parts/answers.js";
 import { choose, valueIn } from "../../parts/choose.js";
+import { scroll } from "../../parts/tables.js";
 import { Component, createRef, h } from "../../vendor/preact.js";
 import { figured } from "./plan.js";
 

@@ -1,20 +1,25 @@
 // The files of a testing machine: dropped, read, and what they do not tell themselves.
 import { app, redraw } from "../../base/design.js";
-import { Advice, act, ask, Refused, refusal, sentence } from "../../base/server.js";
-import { list, scroll, table } from "../../parts/answers.js";
+import { noteBack } from "../../base/removed.js";
+import { Advice, act, ask, note, Refused, refusal, sentence } from "../../base/server.js";
+import { list } from "../../parts/answers.js";
 import { Box } from "../../parts/box.js";
 import { valueIn } from "../../parts/choose.js";
+import { table } from "../../parts/tables.js";
 import { h } from "../../vendor/preact.js";
 import { figureFile, openPicture, refusePicture, unfinished } from "./figure.js";
-import { figured, isFigure, useFigure } from "./plan.js";
+import { filesOf, sorted } from "./folder.js";
+import { isFigure, openPlan as takePlan, useFigure } from "./plan.js";
 import { asRead } from "./plots.js";
+import { names, untold } from "./rows.js";
 
 /** @import { Problem, Table, Text } from "../../types.d.ts" */
 /**
  * @typedef {{name: string, unit: string, role: string}} Column
  * @typedef {{id: string, name: string, read: boolean, columns: Column[], problems: Problem[],
  *   refused: Problem[] | null, notes: Text[], tables: Table[], choices: any,
- *   preview: {travel: number[], force: number[]} | null, pressure_guess: string,
+ *   preview: {travel: number[], force: number[]} | null, pressure_guess: string | null,
+ *   condition_guess: string | null, number: string | null,
  *   digitised: {name: string, points: number, pressure: string | null}[],
  *   [key: string]: any}} TestFile
  */
@@ -51,17 +56,28 @@ export async function within(path, body, how) {
 }
 /** @param {FileList | File[] | null | undefined} chosen */
 async function send(chosen) {
-  const files = [...(chosen ?? [])];
-  const picture = files.find((f) => f.type.startsWith("image/"));
-  const others = files.filter((f) => !f.type.startsWith("image/"));
-  if (others.length) await upload(others);
-  if (picture) await takePicture(picture);
+  const { plans, pictures, tests } = sorted(chosen ?? []);
+  for (const f of plans) await openPlanFile(f);
+  if (tests.length) await upload(tests);
+  if (pictures.length && (!tests.length || isFigure())) await takePicture(pictures[0]);
 }
+/** A plan that lies beside its tests. @param {File} file */
+async function openPlanFile(file) {
+  const { document } = await ask("toml/read", { toml: await file.text(), name: file.name });
+  if (!document.test && !document.rig) throw new Advice(`${file.name} is no plan of tests.`);
+  takePlan(document);
+  expect(document.test ?? []);
+}
+/** What was dropped, to be sent again where its removal is undone. @type {Map<string, File>} */
+const uploaded = new Map();
 /** @param {File[]} files */
 async function upload(files) {
   const data = new FormData();
-  for (const f of files) data.append("files", f, f.name);
-  await take((await within("files", data)).files);
+  for (const f of files) {
+    data.append("files", f, f.name);
+    uploaded.set(f.name, f);
+  }
+  await take((await within(names.taken ? "files?named=true" : "files", data)).files);
 }
 /** Begin with a picture; the points of the one before are kept as a file. @param {File} picture */
 export async function takePicture(picture) {
@@ -140,8 +156,9 @@ async function take(found) {
   }
   if (!session.files.some((f) => f.read) && found.every(ofDigitiser)) useFigure();
   const others = isFigure() ? [] : found.filter((f) => !told(f));
-  const guessed = others.filter((f) => f.read && !f.pressure && f.pressure_guess);
-  await Promise.all(guessed.map((f) => say(f, { pressure: f.pressure_guess })));
+  const guesses = names.taken ? others.map((f) => /** @type {const} */ ([f, untold(f)])) : [];
+  const guessed = guesses.filter(([, more]) => Object.keys(more).length);
+  await Promise.all(guessed.map(([f, more]) => say(f, more)));
   redraw();
 }
 /** No machine writes JSON, or columns under pressures. @param {TestFile} f */
@@ -155,7 +172,7 @@ export async function allSaid() {
 }
 /** Say something of a file that it does not tell itself, after what was said before: the last word
  * counts. @param {TestFile} of @param {any} more */
-function say(of, more) {
+export function say(of, more) {
   Object.assign(session.files.find((x) => x.id === of.id) ?? of, more);
   redraw();
   saying = saying.catch(() => {}).then(() => tell(of));
@@ -183,7 +200,8 @@ function pressuresOf(f) {
 /** @param {TestFile} of */
 async function tell(of) {
   const here = () => session.files.findIndex((x) => x.id === of.id);
-  const f = session.files[here()] ?? of;
+  const f = session.files[here()];
+  if (!f) return; // removed before it was said
   const sent = { ...f };
   const told = saidOf(f);
   try {
@@ -208,199 +226,150 @@ async function tell(of) {
   redraw();
 }
 /** @param {TestFile} f */
-async function remove(f) {
+export async function remove(f) {
+  await saying.catch(() => {});
   await within(`files/${f.id}`, undefined, { method: "DELETE" });
-  const i = session.files.indexOf(f);
-  session.files.splice(i, 1);
-  redraw();
+  const i = session.files.findIndex((x) => x.id === f.id);
+  const [gone] = session.files.splice(i, 1);
+  const file = uploaded.get(f.name);
+  const back = () => {
+    expected.set(f.name, saidOf(gone));
+    return file && upload([file]).then(chooseAgain);
+  };
+  const chooseAgain = () => {
+    session.chosen = session.files.find((x) => x.name === f.name)?.id ?? null;
+    redraw();
+  };
+  if (file) noteBack(back, `${f.name} is removed. `);
+  else note(`${f.name} is removed.`);
   const next = session.files[Math.min(i, session.files.length - 1)];
+  session.chosen = next?.id ?? null;
+  redraw();
   document.getElementById(next ? `remove-${next.id}` : "choose-files")?.focus();
 }
 
-export function drop() {
-  const over = (/** @type {boolean} */ on) => (/** @type {DragEvent} */ e) => {
-    e.preventDefault();
-    session.over = on;
-    redraw();
-  };
-  const input = {
+const chooser = (/** @type {string} */ id) => () => document.getElementById(id)?.click();
+export const chooseFiles = chooser("test-files");
+/** @param {string} id @param {any} more */
+const input = (id, more) =>
+  h("input", {
     type: "file",
     multiple: true,
-    id: "test-files",
+    id,
     class: "away",
     tabIndex: -1,
-    "aria-label": "Files of the testing machine or of a digitiser",
+    ...more,
     onChange: act((e) => {
       const own = /** @type {HTMLInputElement} */ (e.currentTarget);
       const chosen = [...(own.files ?? [])];
       own.value = ""; // so that the same files can be chosen again
       return send(chosen);
     }),
-  };
-  const choose = () => document.getElementById("test-files")?.click();
-  return h(
+  });
+/** What takes files by a hand, wherever on the page they are dropped. */
+export const inputs = () => [
+  input("test-files", { "aria-label": "Files of the testing machine or of a digitiser" }),
+  input("test-folder", { "aria-label": "Folder of the tests", webkitdirectory: true }),
+];
+/** @param {boolean} on */
+const over = (on) => (/** @type {DragEvent} */ e) => {
+  e.preventDefault();
+  if (session.over === on) return;
+  session.over = on;
+  redraw();
+};
+export const dropped = () => ({
+  onDragOver: over(true),
+  onDragLeave: over(false),
+  onDrop: (/** @type {DragEvent} */ e) => {
+    over(false)(e);
+    act(async () => send(await filesOf(e.dataTransfer)))(e);
+  },
+});
+/** The rig in a drawing, and what can be dropped. */
+export const drop = () =>
+  h(
     "div",
-    {
-      class: `drop${session.over ? " over" : ""}`,
-      key: "drop",
-      onDragOver: over(true),
-      onDragLeave: over(false),
-      onDrop: (e) => {
-        over(false)(e);
-        act(() => send(e.dataTransfer?.files))(e);
-      },
-    },
+    { class: `drop${session.over ? " over" : ""}`, key: "drop" },
+    !isFigure() && rig(),
     h(
       "p",
-      {},
-      isFigure()
-        ? "Drop the picture of a figure here, or points of a digitiser: JSON or CSV."
-        : "Drop the files of the testing machine here: text or Excel, one test a file.",
+      { class: "headline" },
+      isFigure() ? "Drop the picture of a figure here" : "Drop the folder of the tests here",
     ),
-    h("input", input),
+    h(
+      "p",
+      { class: "help" },
+      isFigure()
+        ? "A picture, or points of a digitiser: JSON or CSV."
+        : "CSV, TXT, Excel, TRA, MTR, DAT: one test a file. A plan in the folder is read first.",
+    ),
     h(
       "p",
       { class: "inline drop-buttons" },
-      h(
-        "button",
-        { type: "button", class: "main", id: "choose-files", onClick: choose },
-        "Choose files …",
-      ),
       !isFigure() &&
-        h("button", { type: "button", onClick: act(example) }, "Try it with made-up tests"),
-    ),
-  );
-}
-export function files() {
-  const n = session.files.length;
-  const what = isFigure() ? ["file of points", "files of points"] : ["test", "tests"];
-  const heads = ["File", "Read as", "Set pressure", "Condition", "Use"];
-  return h(
-    "section",
-    { class: "card", "aria-label": "Tests", key: "files" },
-    h("h2", {}, `${n} ${what[n === 1 ? 0 : 1]}`),
-    scroll(
-      "Files of tests",
-      h(
-        "table",
-        { class: "grid-table" },
         h(
-          "thead",
-          {},
-          h(
-            "tr",
-            {},
-            heads.map((t) => h("th", { scope: "col", key: t }, t)),
-            h("td", {}),
-          ),
+          "button",
+          { type: "button", class: "main", onClick: chooser("test-folder") },
+          "Choose folder …",
         ),
-        h("tbody", {}, session.files.map(fileRow)),
-      ),
-    ),
-  );
-}
-/** @param {TestFile} f */
-function fileRow(f) {
-  const open = session.chosen === f.id;
-  const unfold = () => {
-    session.chosen = open ? null : f.id;
-    redraw();
-  };
-  const curves = isFigure() ? f.digitised : [];
-  const as = (f.columns || []).filter((c) => c.role).map(columnText);
-  const read = isFigure() ? curves.length > 0 : f.read;
-  const problems = curves.length ? [] : f.problems || [];
-  return h(
-    "tr",
-    { class: open ? "pinned" : "", key: f.id },
-    h(
-      "th",
-      { scope: "row" },
-      h("button", { type: "button", "aria-expanded": open, onClick: unfold }, f.name),
-    ),
-    h(
-      "td",
-      { class: read ? "" : "bad" },
-      curves.length
-        ? curves.map((c) => curveRow(f, c))
-        : read
-          ? as.join(", ")
-          : h("b", {}, "not understood yet"),
-      [...problems, ...(f.refused || [])].map((p, i) =>
-        h("p", { class: "error", key: i }, sentence(p)),
-      ),
-    ),
-    h(
-      "td",
-      { class: f.refused ? "wrong" : "" },
-      curves.length < 2 && box(f, "pressure", "Set pressure", 9),
-    ),
-    h("td", {}, box(f, "condition", "Condition", 7)),
-    h(
-      "td",
-      { class: "use" },
-      h("input", {
-        type: "checkbox",
-        checked: f.use !== false,
-        "aria-label": `Use ${f.name}`,
-        onChange: act((e) =>
-          say(f, { use: /** @type {HTMLInputElement} */ (e.currentTarget).checked }),
-        ),
-      }),
-      f.use === false && box(f, "reason", "Why not to use", 14, "why not"),
-    ),
-    h(
-      "td",
-      {},
       h(
         "button",
         {
           type: "button",
-          id: `remove-${f.id}`,
-          "aria-label": `Remove ${f.name}`,
-          onClick: act(() => remove(f)),
+          class: isFigure() ? "main" : "",
+          id: "choose-files",
+          onClick: chooseFiles,
         },
-        "✕",
+        "Choose files …",
       ),
+      !isFigure() &&
+        h("button", { type: "button", onClick: act(example) }, "Example: 6 made-up tests"),
     ),
   );
-}
-/** A curve of a digitised file; its pressure can be said where its name does not.
- * @param {TestFile} f @param {TestFile["digitised"][0]} c */
-const curveRow = (f, c) =>
-  h(
-    "p",
-    { key: c.name },
-    `${c.name || "curve"}, ${c.points} points `,
-    c.name &&
-      f.digitised.length > 1 &&
-      f.digitised.some((x) => !x.pressure) &&
-      figured() === "friction" &&
-      h(Box, {
-        size: 9,
-        placeholder: c.pressure || "pressure",
-        value: f.typed_pressures?.[c.name] || "",
-        "aria-label": `Pressure of ${c.name} of ${f.name}`,
-        put: act((v) => say(f, { typed_pressures: { ...f.typed_pressures, [c.name]: v } })),
+const ARROWS = "M140 0V16m-5-7 5 8 5-8M140 190V174m-5 7 5-8 5 8M282 95H320m-8-5 9 5-9 5";
+/** Two samples pressed on a belt that is pulled out between them. */
+function rig() {
+  const bars = Array.from({ length: 11 }, (_, i) => i);
+  const layer = (/** @type {number} */ y) =>
+    bars.map((i) =>
+      h("rect", {
+        x: 64 + 14 * i,
+        y,
+        width: 12,
+        height: 32,
+        class: "step",
+        "fill-opacity": 0.3 + i / 16,
       }),
+    );
+  return h(
+    "svg",
+    { class: "rig", viewBox: "0 0 350 192", "aria-hidden": "true" },
+    h("rect", { x: 60, y: 22, width: 160, height: 26, rx: 4, class: "plate" }),
+    h("rect", { x: 60, y: 142, width: 160, height: 26, rx: 4, class: "plate" }),
+    layer(48),
+    layer(110),
+    h("rect", { x: 20, y: 80, width: 256, height: 30, class: "belt-piece" }),
+    h("path", { d: ARROWS, class: "arrow" }),
+    h("text", { x: 150, y: 12 }, "pressure"),
+    h("text", { x: 282, y: 84 }, "force, travel"),
+    h("text", { x: 30, y: 100, class: "on" }, "belt"),
+    h("text", { x: 0, y: 66 }, "lagging"),
+    h("text", { x: 0, y: 130 }, "lagging"),
   );
-/** @param {Column} c */
-const columnText = (c) => `${c.role.replace("_", " ")}: ${c.name}${c.unit ? ` [${c.unit}]` : ""}`;
-/** @param {TestFile} f @param {string} key @param {string} label @param {number} size
- * @param {string} [hint] */
-const box = (f, key, label, size, hint) =>
-  h(Box, {
-    size,
-    placeholder: hint,
-    value: f[key] || "",
-    "aria-label": `${label} of ${f.name}`,
-    "aria-invalid": Boolean(f.refused?.some((p) => p.path.includes(key))),
-    put: act((v) => say(f, { [key]: v || (key === "condition" ? "dry" : null) })),
-  });
+}
 /** The file that is unfolded, or the first that is not understood. */
+export const chosenFile = () =>
+  session.files.find((x) => x.id === session.chosen) ?? session.files.find((x) => !x.read);
+/** The record of a file, while there is no law yet. @param {TestFile | undefined} f */
+export function asReadOf(f) {
+  const of = f?.preview ? f : session.files.find((x) => x.preview);
+  return of?.preview
+    ? asRead(of.preview, of.name)
+    : h("p", { class: "intro help" }, "No curve yet.");
+}
 export function details() {
-  const f =
-    session.files.find((x) => x.id === session.chosen) || session.files.find((x) => !x.read);
+  const f = chosenFile();
   if (!f || isFigure()) return null;
   return h(
     "section",
@@ -409,7 +378,7 @@ export function details() {
     h(
       "div",
       { class: "cols" },
-      h("div", {}, f.preview && asRead(f.preview), choices(f), list(f.notes, "help")),
+      h("div", {}, f.preview && asRead(f.preview, f.name), choices(f), list(f.notes, "help")),
       h(
         "div",
         {},

@@ -173,39 +173,96 @@ export function rowOf(path) {
 }
 /** Where something is typed that stands at a place of the plan. @param {string} path */
 export const typedAt = (path) => (path || "").replace(/^fit\.fixed\./, "fixed.");
-/** The form. @param {Record<string, string>} marks what is wrong with a row, by part and key */
-export const planForm = (marks) =>
-  h(
+/** Rows of each part that are seen at once; the others are folded away. */
+const FIRST = ["name", "thickness", "shear_modulus", "sample_area", "faces", "remove_shear"].concat(
+  ["source", "figure", "quantity", "slip_unit", "pressure_unit", "slip_max"],
+);
+/** A few words for what a part says, where it is folded away. @param {string} part */
+function summary(part) {
+  const of = typed[part];
+  if (part === "lagging")
+    return [of.thickness, of.shear_modulus && `G ${of.shear_modulus}`].filter(Boolean).join(", ");
+  if (part === "rig") return `${of.sample_area || "no area"}, ${of.faces || 2} faces`;
+  if (part === "digitised") return LIST_WORDS[of.quantity];
+  const set = [...Object.values(typed.fit), ...Object.values(typed.fixed)].filter(Boolean).length;
+  return set ? `${set} set` : "best fit";
+}
+/** Parts that the user has folded or unfolded. */
+const open = /** @type {Record<string, boolean>} */ ({});
+/** The form: whole, or folded where the tests have its place.
+ * @param {Record<string, string>} marks what is wrong with a row, by part and key
+ * @param {boolean} folded */
+export function planForm(marks, folded) {
+  const parts = ["lagging", isFigure() ? "digitised" : "rig", "fit"];
+  return h(
     "form",
     {
-      class: "inputs",
+      class: `plan${folded ? " folded" : ""}`,
       "aria-label": "Lagging and rig",
+      key: "plan",
       onSubmit: (/** @type {Event} */ e) => e.preventDefault(),
     },
-    oneOf(
-      "t-from",
-      "What is fitted",
-      from,
-      [
-        ["tests", "Tests"],
-        ["figure", "A published figure"],
-      ],
-      (value) => {
-        from = value;
-        redraw();
-      },
-    ),
-    Object.entries(TITLES).map(
-      ([part, title]) =>
-        part !== (isFigure() ? "rig" : "digitised") &&
-        h(
-          "fieldset",
-          { key: part },
-          h("legend", {}, title),
-          shown(part).map((r) => row(part, r, marks[`${part}.${r.key}`])),
-        ),
-    ),
+    parts.map((part) => (folded ? foldedPart(part, marks) : wholePart(part, marks))),
   );
+}
+/** What is fitted. */
+export const fromWhat = () =>
+  oneOf(
+    "t-from",
+    "What is fitted",
+    from,
+    [
+      ["tests", "Tests"],
+      ["figure", "A published figure"],
+    ],
+    (value) => {
+      from = value;
+      redraw();
+    },
+  );
+/** @param {string} part @param {Record<string, string>} marks */
+function rowsOf(part, marks) {
+  const make = (/** @type {string} */ of) => (/** @type {Row} */ r) =>
+    row(of, r, marks[`${of}.${r.key}`]);
+  const first = shown(part).filter((r) => FIRST.includes(r.key));
+  const rest = shown(part).filter((r) => !first.includes(r));
+  const fixed = part === "fit" ? shown("fixed") : [];
+  const wrong = [...rest.map((r) => `${part}.${r.key}`), ...fixed.map((r) => `fixed.${r.key}`)];
+  return [
+    first.map(make(part)),
+    rest.length + fixed.length > 0 &&
+      h(
+        "details",
+        { class: "more", key: "more", open: wrong.some((key) => marks[key]) || undefined },
+        h("summary", {}, "More"),
+        rest.map(make(part)),
+        fixed.length > 0 && h("p", { class: "help" }, TITLES.fixed),
+        fixed.map(make("fixed")),
+      ),
+  ];
+}
+/** @param {string} part @param {Record<string, string>} marks */
+const wholePart = (part, marks) =>
+  h("fieldset", { key: part }, h("legend", {}, titleOf(part)), rowsOf(part, marks));
+/** @param {string} part @param {Record<string, string>} marks */
+function foldedPart(part, marks) {
+  const wrong = Object.keys(marks).some(
+    (key) => key.startsWith(part) || (part === "fit" && key.startsWith("fixed")),
+  );
+  return h(
+    "details",
+    {
+      key: part,
+      open: open[part] || wrong,
+      onToggle: (/** @type {Event & {currentTarget: HTMLDetailsElement}} */ e) => {
+        open[part] = e.currentTarget.open;
+      },
+    },
+    h("summary", {}, h("b", {}, titleOf(part)), h("span", {}, summary(part))),
+    rowsOf(part, marks),
+  );
+}
+const titleOf = (/** @type {string} */ part) => TITLES[/** @type {"rig"} */ (part)];
 /** @param {string} part @param {Row} r @param {string | undefined} problem */
 function row(part, r, problem) {
   const id = `t-${part}-${r.key}`;
@@ -213,7 +270,8 @@ function row(part, r, problem) {
     id,
     value: typed[part][r.key],
     "aria-invalid": Boolean(problem),
-    "aria-describedby": `${id}-e`,
+    "aria-describedby": r.help ? `${id}-h ${id}-e` : `${id}-e`,
+    title: r.help,
     onInput: (/** @type {any} */ e) => {
       typed[part][r.key] = e.currentTarget.value;
       redraw();
@@ -234,7 +292,7 @@ function row(part, r, problem) {
         ? h("select", common, options)
         : h("input", { ...common, type: "text", autocomplete: "off" }),
     ),
-    r.help && h("p", { class: "help" }, r.help),
+    r.help && h("span", { class: "away", id: `${id}-h` }, r.help),
     h("p", { class: "error", id: `${id}-e` }, problem),
   );
 }

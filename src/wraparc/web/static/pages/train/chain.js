@@ -2,7 +2,8 @@
 // written at it and shown by the width of the line, the shear on the lagging, the drum that slips.
 import { percent, show, shown } from "../../base/units.js";
 import { levelClass } from "../../parts/answers.js";
-import { colour, follow } from "../../plots/stage.js";
+import { colour } from "../../plots/ramp.js";
+import { follow } from "../../plots/stage.js";
 import { fresh } from "../../plots/svg.js";
 import { h } from "../../vendor/preact.js";
 

@@ -7,6 +7,7 @@ import { laggingChoices, laggingName } from "../drive/inputs.js";
 import { pulleyName } from "../drive/more.js";
 import { known } from "../drive/solving.js";
 import { LOADS, movedKeys, shares, withDrive, withoutDrive } from "./convert.js";
+import { typeShare } from "./strips.js";
 
 /** @import { Path, Pulley, Spec } from "../../types.d.ts" */
 
@@ -114,7 +115,11 @@ const MEANINGS = {
 const each = (key, help) => [
   h("p", { class: "help", key: `help-${key}` }, MEANINGS[key]),
   app.doc.pulley.map((p, i) =>
-    make({ key, title: p.name || "", kind: "number", help }, ["train", key, i]),
+    make(
+      { key, title: p.name || "", kind: "number", help },
+      ["train", key, i],
+      key === "share" ? { put: (/** @type {any} */ text) => typeShare(i, text) } : {},
+    ),
   ),
 ];
 /** @param {Pulley} p */

@@ -1,9 +1,9 @@
 // Pictures of matched trains: shares over trim, diameter and load, and their map.
 import { app } from "../../base/design.js";
 import { digits, percent, title, unit } from "../../base/units.js";
-import { scroll } from "../../parts/answers.js";
 import { Plot } from "../../parts/plot.js";
-import { warm } from "../../plots/svg.js";
+import { scroll } from "../../parts/tables.js";
+import { colour } from "../../plots/ramp.js";
 import { h } from "../../vendor/preact.js";
 
 /** @import { ChartData } from "../../types.d.ts" */
@@ -112,13 +112,13 @@ function map(m) {
 function cell(v, i, j, lo, hi) {
   const { wide, tall } = CELL;
   const part = v == null ? 0 : (v - lo) / (hi - lo || 1);
-  const fill = v == null ? "#ddd" : warm(0.92 * part);
+  const fill = v == null ? "#ddd" : colour(part);
   return [
     h("rect", { x: 68 + wide * i, y: tall * j, width: wide - 1, height: tall - 1, fill }),
     text(
       68 + wide * (i + 0.5),
       17 + tall * j,
-      part > 0.72 ? "tx light" : "tx cell",
+      part > 0.5 ? "tx light" : "tx cell",
       v == null ? "–" : digits(100 * v, 3),
     ),
   ];

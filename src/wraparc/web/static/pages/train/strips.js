@@ -30,6 +30,18 @@ function divide(parts, i, to) {
   const texts = next.map((v) => `${+(100 * v).toFixed(3)} %`);
   change(set(app.doc, ["train", "share"], texts), "share");
 }
+/** Type the share of a drive: its neighbour takes the rest, where there is one.
+ * @param {number} i @param {any} text */
+export function typeShare(i, text) {
+  /** @type {any[]} */
+  const next = Array.from(app.doc.train?.share ?? []);
+  const k = i + 1 < next.length ? i + 1 : i - 1;
+  next[i] = text;
+  const others = next.map((v, j) => (j === k ? 0 : partOf(v)));
+  const rest = 1 - others.reduce((a, v) => a + v, 0);
+  if (rest >= 0 && rest <= 1) next[k] = `${+(100 * rest).toFixed(3)} %`;
+  change(set(app.doc, ["train", "share"], next), `share,${i}`);
+}
 /** Keys of a slider, as of the handles of the first screen. @param {number} step
  * @param {(by: number) => void} by */
 const keys = (step, by) => (/** @type {KeyboardEvent} */ e) => {
@@ -191,6 +203,6 @@ export const changes = (m) => {
   return [
     ["0.1 % of trim moves", `${percent(by, 2)} of the load`],
     [`Trim for a share within ${percent(NEAR)}`, `± ${percent((NEAR * 1e-3) / by, 2)}`],
-    ["Power lost to creep", shown("power_loss", m.power_loss, 3)],
+    ["Power lost, all drives", shown("power_loss", m.power_loss, 3)],
   ];
 };

@@ -1,1 +1,1 @@
-import{n as s}from"../../chunk-56ODH5TL.js";var i=180;function r(e){let n=[];for(let{law:t,given:u,tested:a,criteria:f}of e){let o=s(t,u,a,f,i);if(!o)return null;n.push(o)}return n}globalThis.onmessage=e=>postMessage(r(e.data));
+import{n as s}from"../../chunk-VXNHSYG3.js";var i=180;function r(e){let n=[];for(let{law:t,given:u,tested:a,criteria:f}of e){let o=s(t,u,a,f,i);if(!o)return null;n.push(o)}return n}globalThis.onmessage=e=>postMessage(r(e.data));

@@ -1,0 +1,1 @@
+function l(t,e,n="text/plain"){let c=URL.createObjectURL(e instanceof Blob?e:new Blob([e],{type:n})),o=document.createElement("a");o.href=c,o.download=t,o.click(),setTimeout(()=>URL.revokeObjectURL(c),9e3)}var r=(t,e)=>Object.assign(document.createElement("a"),{href:t,download:e}).click();export{l as a,r as b};

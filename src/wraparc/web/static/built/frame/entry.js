@@ -1,0 +1,1 @@
+import{a}from"../chunk-UXQ7CYVO.js";export{a as entry};
