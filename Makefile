@@ -29,7 +29,7 @@ sync = $(UV) sync --quiet --offline $(1) 2>/dev/null || $(UV) sync --quiet $(1)
 CHECKED := src tests $(wildcard benchmarks) docs/conf.py docs/building tools
 
 .DEFAULT_GOAL := help
-.PHONY: help demo serve test check near dev format lint types docs site installed system tests kernel page bench lock clean
+.PHONY: help demo serve test check near dev format hooks lint types docs site installed system tests kernel page audit bench lock clean
 
 help: ## show this list
 	@sed -n 's/^\([a-z]*\):.*## /\1|/p' Makefile | while IFS='|' read -r t d; do printf '  make %-8s %s\n' "$$t" "$$d"; done
@@ -67,10 +67,15 @@ format: dev
 	@left=$$(git ls-files --others --exclude-standard src 2>/dev/null); test -z "$$left" || \
 	  { printf 'no commit would have these; git add or remove them:\n%s\n' "$$left"; exit 1; }
 
+hooks: ## look at the title of every commit before it is made, from now on
+	@git config core.hooksPath tools/hooks
+	@echo "titles of commits are read by tools/titles.py; no longer: git config --unset core.hooksPath"
+
 lint: dev
-	@echo "== lint: ruff check, biome lint"
+	@echo "== lint: ruff check, biome lint, titles of commits"
 	@$(BIN)/ruff check $(CHECKED)
 	@$(NODE)/biome lint --error-on-warnings
+	@$(BIN)/python tools/titles.py
 
 types: dev
 	@echo "== types: mypy --strict, tsc --checkJs"
@@ -134,6 +139,9 @@ kernel: dev ## make the solver of the page and the page of one file anew, after 
 
 page: dev ## serve the calculator and make it anew whenever its source changes; FILE=drive.toml
 	@$(BIN)/python tools/page_watch.py $(FILE)
+
+audit: $(UV) ## ask what holes are known of the locked libraries (needs a network)
+	@$(PYTHON) tools/audit.py "$(CURDIR)/$(UV)"
 
 bench: dev ## measure speed (ratios within one run)
 	@echo "== benchmarks"

@@ -8,7 +8,6 @@ import sys
 import time
 from collections.abc import Generator, Iterator
 from contextlib import ExitStack, suppress
-from functools import lru_cache
 from hashlib import md5
 
 import pytest
@@ -160,14 +159,18 @@ def load(request: pytest.FixtureRequest) -> Iterator[None]:
 
 @pytest.fixture(scope="module")
 def solved_once() -> Iterator[None]:
-    """Arcs and trains that several tests of a file ask for are solved once: for files on doors."""
-    from wraparc.arc import Distributed
-    from wraparc.train.locate import locate
+    """What several tests of doors and words ask for is found once in a session, see `once`."""
+    from once import solved_once
 
-    solve, located = lru_cache(500)(Distributed.solve), lru_cache(100)(locate)
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(Distributed, "solve", solve)
-        patch.setattr(
-            "wraparc.train.solve.locate", lambda s, names, soft: located(s, tuple(names), soft)
-        )
+    with solved_once():
         yield
+
+
+@pytest.fixture
+def untried(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Nothing is tried to find what to do about a verdict: for tests of all else that is said."""
+    from wraparc import actions
+    from wraparc.answer.words import stated_action
+    from wraparc.checks import judge
+
+    monkeypatch.setattr(actions, "find_action", lambda result: stated_action(judge(result)))

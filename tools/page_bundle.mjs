@@ -24,10 +24,13 @@ const TOML = join(pages, "vendor/smol-toml.js");
 /** Modules that are others in the file. */
 const INSTEAD = {
   "base/server.js": "server.js",
+  "frame/entry.js": "nothing.js",
   "frame/opening.js": "opening.js",
   "frame/registry.js": "registry.js",
   "pages/drive/beside.js": "beside.js",
   "pages/drive/questions.js": "questions.js",
+  "pages/drive/reserve.js": "nothing.js",
+  "pages/drive/unknown_key.js": "nothing.js",
 };
 /** Modules of the first script, which the second finds there. */
 const KERNEL = join(pages, "kernel.js");

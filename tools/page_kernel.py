@@ -32,7 +32,7 @@ from wraparc.answer import least_tension as leasts
 from wraparc.answer.key_figures import KeyFigure, figure_of
 from wraparc.answer.sheet import term
 from wraparc.arc import Status, answer, capacity, grip, profile
-from wraparc.catalogue import loader
+from wraparc.catalogue.catalogue_belt import CatalogueBelt
 from wraparc.checks import of_arc
 from wraparc.checks.check import Level
 from wraparc.checks.judge import _across, judge
@@ -43,7 +43,6 @@ from wraparc.checks.least_tension import (
     least_when_wet,
     least_with_slip,
 )
-from wraparc.conveyor import belt_path, conveyor
 from wraparc.drive import compression, tension_rules
 from wraparc.files import drive_file
 from wraparc.friction import MeasuredTable
@@ -110,11 +109,6 @@ TRAIN_ENTRIES: tuple[Callable[..., object], ...] = (
     in_page_train.system_of,
     in_page_train.divided,
     in_page_train.told,
-    conveyor.choices,
-    conveyor.Conveyor,
-    belt_path.turned_by,
-    belt_path.overlaps,
-    belt_path.Point,
     train_words.case_sentences,
     train_words.short_sentences,
     train_sheet.case_table,
@@ -154,7 +148,7 @@ READER: dict[str, Any] = {
     "readDrive": drive_file.drive_from_document,
     "readTrain": train_file.train_from_document,
     "InputError": errors.InputError,
-    "CatalogueBelt": loader.CatalogueBelt,
+    "CatalogueBelt": CatalogueBelt,
     "Provenance": Provenance,
     "syntaxProblem": source.syntax_problem,
     "arcsOf": in_page_checks.arcs_of,
@@ -203,7 +197,7 @@ OF_CHECKS: dict[Any, Any] = {
 #: What the page reads of verdict, checks and least tension.
 READ = {
     "text", "also", "label", "level", "listed", "data", "at", "within", "governing", "place",
-    "share", "missed", "texts", "tension", "raise_to", "drive_result", "wet_text",
+    "kind_in_doubt", "share", "missed", "texts", "tension", "raise_to", "drive_result", "wet_text",
     "remarks", "full", "action_text", "name",
 }  # fmt: skip
 #: What `static/documents.js` has in the place of functions that look into files.
