@@ -22,6 +22,7 @@ TOGETHER = 50
 
 def main() -> None:
     from doors import net
+    from once import solved_once
 
     parser = argparse.ArgumentParser()
     parser.add_argument("drives", type=int, nargs="?", default=200)
@@ -38,7 +39,7 @@ def main() -> None:
     whole, last = net.Net([]), asked.first + asked.drives
     for begin in range(asked.first, last, TOGETHER):
         numbers = range(begin, min(begin + TOGETHER, last))
-        with net.solved_once():
+        with solved_once():
             some = net.cast(asked.seed, numbers, asked.folder, doors, {} if doors else one_of)
         for line in net.differences_told(some):
             print(line, flush=True)

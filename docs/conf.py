@@ -27,7 +27,7 @@ nitpicky = True
 # The classes of other libraries are not documented here, nor those inside the solver.
 nitpick_ignore_regex = [
     ("py:.*", r"(?!wraparc).*"),
-    ("py:.*", r"wraparc\.(arc\.(quantities|summary)|drive\.pull)\..*"),
+    ("py:.*", r"wraparc\.(arc\.(quantities|summary)|drive\.pull|conveyor\.description)\..*"),
 ]
 
 myst_enable_extensions = ["amsmath", "colon_fence", "deflist", "dollarmath"]

@@ -26,7 +26,7 @@ def laid_out(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def test_there_are_ten() -> None:
     told = (DOCS / "how_to.md").read_text("utf-8")
     assert len(PAGES) == 10
-    assert all(f"<questions/{page.stem}>" in told for page in PAGES)
+    assert all(f"{{doc}}`questions/{page.stem}`" in told for page in PAGES)
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)

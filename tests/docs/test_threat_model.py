@@ -49,4 +49,4 @@ def test_every_question_of_the_server_has_a_bound() -> None:
         for call in re.finditer(r"workers\.(?:apart|read)\(", code := path.read_text("utf-8")):
             asked += 1
             assert "limit=" in code[call.start() : call.start() + 160], path.name
-    assert asked == 3
+    assert asked == 4

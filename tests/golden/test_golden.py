@@ -22,10 +22,10 @@ from golden.answers import DOORS, TRAINS
 from golden.compare import Difference, Kind, differences
 from golden.plain import plain
 from golden.record import DATA, answers_of, golden
+from once import solve, solved_once
 from wording.texts import answer_texts
 from wording.words import in_context
 from wraparc.arc import ArcResult, Distributed, WrapArc
-from wraparc.train.locate import locate
 
 #: Largest relative differences, some ten times what one changed last bit of belt width or sample
 #: area moved: 1e-11 on a pulley, 1e-8 where speeds of a train are found by iterating. Fits stop at
@@ -38,17 +38,13 @@ _SHOWN = 30
 @pytest.fixture(scope="module", autouse=True)
 def each_arc_is_solved_once() -> Iterator[None]:
     """Many doors ask for the same arcs and trains of the same examples: each has one answer."""
-    solve, located = cache(Distributed.solve), cache(locate)
 
+    @cache
     def solve_and_move(self: Distributed, arc: WrapArc) -> ArcResult:
         found: ArcResult = moved(solve(self, arc), np.random.default_rng(1))
         return found
 
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(Distributed, "solve", solve_and_move)
-        patch.setattr(
-            "wraparc.train.solve.locate", lambda s, names, soft: located(s, tuple(names), soft)
-        )
+    with solved_once(solve_and_move):
         yield
 
 
