@@ -620,7 +620,7 @@ ROWS = (
         level="ATTENTION"),
     Row("the standard says nothing on this wrap",
         (("180 deg", "170 deg"), ("", 'binding = true\n[take_up]\nkind = "fixed"\n')),
-        ("CEMA does not apply: wrap 170 deg, manual take-up factors cover 180 to 240 deg",),
+        ("CEMA does not apply: wrap 170 deg, manual take-up factors from 180 deg",),
         ("OK", "surface"), ("solve", "page"),
         level="FAILS"),
     Row("below a rule of its own", (*tensions("76 kN", "30 kN"),

@@ -163,7 +163,8 @@ def _manual(lagging: Lagging, wrap_angle: float) -> StandardRequirement:
     angle = math.degrees(wrap_angle)
     if not rows[0][0] - _ROUNDING <= angle <= rows[-1][0] + _ROUNDING:
         ends = f"{rows[0][0]:g} to {rows[-1][0]:g} deg"
-        why = f"wrap {angle:.4g} deg, manual take-up factors cover {ends}"
+        end = f"from {rows[0][0]:g}" if angle < rows[0][0] else f"to {rows[-1][0]:g}"
+        why = f"wrap {angle:.4g} deg, manual take-up factors {end} deg"
         return _silent("CEMA", why, f"Use a wrap of {ends}, or set design_standard.friction.")
     # between two rows the factor of the smaller wrap: the table is rounded to steps
     factor = next(value for row, value in reversed(rows) if row <= angle + _ROUNDING)

@@ -3085,12 +3085,13 @@ function design_standard___cema(standard) {
 return $and((standard.friction == null), () => ($eq($or(standard.name, () => "CEMA"), "CEMA")));
 }
 function design_standard___manual(lagging, wrap_angle) {
-let angle, ends, factor, rows, why;
+let angle, end, ends, factor, rows, why;
 (rows = design_standard___rows(lagging));
 (angle = $math.degrees(wrap_angle));
 if (!($sub($at($at(rows, 0), 0), 1e-09) <= angle && angle <= $add($at($at(rows, $neg(1)), 0), 1e-09))) {
 (ends = ("" + $format($at($at(rows, 0), 0), ("" + "g")) + " to " + $format($at($at(rows, $neg(1)), 0), ("" + "g")) + " deg"));
-(why = ("" + "wrap " + $format(angle, ("" + ".4g")) + " deg, manual take-up factors cover " + $str(ends)));
+(end = ((angle < $at($at(rows, 0), 0)) ? ("" + "from " + $format($at($at(rows, 0), 0), ("" + "g"))) : ("" + "to " + $format($at($at(rows, $neg(1)), 0), ("" + "g")))));
+(why = ("" + "wrap " + $format(angle, ("" + ".4g")) + " deg, manual take-up factors " + $str(end) + " deg"));
 return design_standard___silent("CEMA", why, ("" + "Use a wrap of " + $str(ends) + ", or set design_standard.friction."));
 }
 (factor = $b.next((function* () { for (const [row, value] of $iter($b.reversed(rows))) { if (!((row <= $add(angle, 1e-09)))) continue; yield value; } })()));
