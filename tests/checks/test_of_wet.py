@@ -59,7 +59,8 @@ def test_a_drive_that_slips_wet_has_no_number() -> None:
     of = quiet(lagging=lagging(0.3, surface="bare"), criteria=OPEN, creep_limit=0.06)
     (check,) = wet_checks(of)
     assert check.value == float("inf")
-    assert "Gross slip when wet (estimated)" in in_units(judged(of).text)
+    said = in_units(judged(of).text)
+    assert "Gross slip when wet, with dry friction times 0.267 (estimated)" in said
 
 
 def test_unknown_wet_friction_is_said_in_the_word() -> None:

@@ -246,14 +246,14 @@ def test_a_drum_faster_than_its_motor_allows(tmp_path: Path) -> None:
     path = changed(tmp_path, (SHARE + comment, ""), ("[[load_case]]", MOTOR))
     ran = wraparc("solve", path, "--load-case", "empty")
     assert ran.code == 1
-    assert "FAILS The belt drives the motors: no operating point (empty)." in ran.words
+    assert "FAILS The belt drives the motors: no operating point (first, empty)." in ran.words
     assert "Action Set brakes = true if the drive can brake." in ran.words
     reason = "The belt drives pulley first at 74 rpm, where its motor ends: it cannot brake."
     assert reason in wraparc("solve", path, "--load-case", "empty", "--full").words
     ran = wraparc("trim", path, "--load-case", "empty")
     assert (ran.code, ran.err) == (1, "")
     assert "nothing to trim" in ran.words
-    assert "FAILS The belt drives the motors: no operating point (" in ran.words
+    assert "FAILS The belt drives the motors: no operating point (first, " in ran.words
 
 
 @pytest.mark.parametrize(

@@ -25,6 +25,7 @@ from wraparc.train import (
     TrainCase,
     TrainStatus,
 )
+from wraparc.train.turning import beyond_motor
 
 #: Largest relative miss of tensions, speeds and torques that a solved train is trusted with [-].
 TRAIN_BALANCE = 1e-5
@@ -50,7 +51,8 @@ def of_case(train: Train, case: CaseResult) -> Iterator[Check]:
             for m, motor in zip(case.members, _motors(case.case), strict=False)
             if isinstance(motor, Motor)
         )
-        yield operating_point(case.status, case.reason, place, overrun=overrun)
+        at = Place(_beyond(case), case.case.name)
+        yield operating_point(case.status, case.reason, at, overrun=overrun)
     several = len(case.members) > 1
     if not case.status.solved:
         yield from not_working(place) if several else ()
@@ -67,6 +69,19 @@ def of_case(train: Train, case: CaseResult) -> Iterator[Check]:
     driven_by = [*zip(case.members, motors, strict=False)]
     helps = not all(_motor(m, motor, case.case, True).missed for m, motor in driven_by)
     yield from (_motor(m, motor, case.case, helps) for m, motor in driven_by)
+
+
+def _beyond(case: CaseResult) -> str:
+    """Return the pulley whose motor would have to leave its curve; empty without one."""
+    if case.status is not TrainStatus.BEYOND_MOTOR:
+        return ""
+    for member, motor in zip(case.members, _motors(case.case), strict=False):
+        point, turns = member.motor, member.rotation_speed
+        if not isinstance(motor, Motor) or point is None:
+            continue
+        if beyond_motor(member.name, turns, motor, point):
+            return member.name
+    return ""
 
 
 def _motors(case: TrainCase) -> Sequence[Motor | TorqueFollower]:

@@ -64,13 +64,14 @@ def _wet_creep(of: Spot) -> Iterator[Check]:
         return
     creep = wet(of.result, factor)
     exceeds = "Wet creep {value} (estimated) exceeds the {limit} limit"
+    slips = f"Gross slip when wet, with dry friction times {factor:.3g} (estimated)"
     source = Condition(name="wet").factor_of(lagging)[1]
     text = CheckText(
         title=TITLE,
         noun=NOUN,
         source=f"creep limit; wet friction {factor:.3g} of dry, {source}",
         label="wet creep",
-        headline="Gross slip when wet (estimated)" if math.isinf(creep) else exceeds,
+        headline=slips if math.isinf(creep) else exceeds,
         action=f"Test lagging {escaped(lagging.name)} wet.",
         full=f"Wet friction {factor:.3g} of dry ({escaped(str(source))}). A drive that never runs "
         "wet has covered = true.",

@@ -2150,12 +2150,13 @@ yield check;
 }
 }
 function* of_train__of_case(train, case_) {
-let driven, driven_by, helps, lost, motors, overrun, place, several;
+let at, driven, driven_by, helps, lost, motors, overrun, place, several;
 
 (place = new Place("", $bound(case_.case, "name")));
 if (($truth(case_.adrift) || ($in(case_.status, ["No operating point: a motor would have to work outside its curve. Change its set speed or gear, or choose another motor.", "The solver did not reach its accuracy on this train. Please report the drive file; until then change a value slightly."])))) {
 (overrun = $b.any((function* () { for (const [m, motor] of $iter($b.zip($bound(case_, "members"), of_train___motors($bound(case_, "case")), $k({strict: false})))) { if (!($truth($b.isinstance(motor, Motor)))) continue; yield $and((m.motor != null), () => $and((m.motor.motor_load < 0.0), () => !$truth(motor.brakes))); } })()));
-yield of_train__operating_point($bound(case_, "status"), $bound(case_, "reason"), place, overrun);
+(at = new Place(of_train___beyond(case_), $bound(case_.case, "name")));
+yield of_train__operating_point($bound(case_, "status"), $bound(case_, "reason"), at, overrun);
 }
 (several = ($b.len($bound(case_, "members")) > 1));
 if (!$truth($told($cc303, case_.status, "solved"))) {
@@ -2176,6 +2177,54 @@ yield* $iter((function* () { for (const [m, motor] of $iter(driven_by)) { yield 
 }
 function of_train___motors(case_) {
 return ($truth($b.isinstance(case_.division, Motors)) ? case_.division.motors : []);
+}
+function of_train___beyond(case_) {
+let member, motor, point, turns;
+
+if ((case_.status !== "No operating point: a motor would have to work outside its curve. Change its set speed or gear, or choose another motor.")) {
+return "";
+}
+for ([member, motor] of $iter($b.zip($bound(case_, "members"), of_train___motors($bound(case_, "case")), $k({strict: false})))) {
+([point, turns] = [member.motor, member.rotation_speed]);
+if ((!$truth($b.isinstance(motor, Motor)) || (point == null))) {
+continue;
+}
+if ($truth(turning__beyond_motor($bound(member, "name"), turns, motor, point))) {
+return member.name;
+}
+}
+return "";
+}
+function turning__beyond_motor(name, rotation, motor, point) {
+let end, high, low, means, rounding, top, turns;
+
+([low, high] = motor.limits());
+(rounding = 1e-09);
+if ((point.motor_load < $sub(low, rounding))) {
+(end = (low / ((low >= 0.0) ? motor.gear_efficiency : (1.0 / motor.gear_efficiency))));
+([turns, top] = turning___apart(rotation, motor.drum_speed($mul(end, motor.drum_torque))));
+(means = (($eq(low, 0.0)) ? "it cannot brake" : ("" + "it brakes with " + $format($neg(low), ("" + ".3g")) + " rated torques")));
+if (($eq(turns, top))) {
+return ("" + "The belt drives pulley " + $str(name) + " at " + $str(turns) + ", where its motor ends: " + $str(means) + ".");
+}
+return ("" + "The belt drives pulley " + $str(name) + " at " + $str(turns) + ", faster than its motor allows: " + $str(top) + " at most, where " + $str(means) + ".");
+}
+if ((point.motor_load > $add(high, rounding))) {
+(turns = display__display(rotation, "rotation_speed", "si", 4));
+return ("" + "The motor of " + $str(name) + " needs " + $format(point.motor_load, ("" + ".3g")) + " times its rated torque, its curve ends at " + $format(high, ("" + ".3g")) + "; its pulley turns at " + $str(turns) + ".");
+}
+return "";
+}
+function turning___apart(one, other) {
+let digits, told;
+
+for (digits of $iter([4, 5, 6, 4])) {
+(told = $b.tuple((function* () { for (const of of $iter([one, other])) { yield display__display(of, "rotation_speed", "si", digits); } })()));
+if ((!$eq($at(told, 0), $at(told, 1)))) {
+break;
+}
+}
+return [$at(told, 0), $at(told, 1)];
 }
 function of_train__operating_point(status, reason, place, overrun = false) {
 let action, fault, headline, label;
@@ -6239,7 +6288,7 @@ return null;
 yield new Check("creep_interval", "Creep, 95 % bound", "ATTENTION", of.place, undefined, undefined, "creep, 95 % bound", undefined, undefined, undefined, undefined, undefined, "Creep, 95 % bound, is not computed in this page", "Solve the file with wraparc solve.", undefined, "95 % bound not computed", undefined, undefined, undefined, undefined, false);
 }
 function* of_wet___wet_creep(of) {
-let creep, exceeds, factor, lagging, limit, name, source, text, why;
+let creep, exceeds, factor, lagging, limit, name, slips, source, text, why;
 
 (factor = of_wet__estimate_factor(of));
 if (((of.result == null) || ($eq(factor, 0.0)) || $truth(rule__idle($bound(of.result, "arc"))))) {
@@ -6259,8 +6308,9 @@ return null;
 }
 (creep = in_page_checks__wet($bound(of, "result"), factor));
 (exceeds = "Wet creep {value} (estimated) exceeds the {limit} limit");
+(slips = ("" + "Gross slip when wet, with dry friction times " + $format(factor, ("" + ".3g")) + " (estimated)"));
 (source = $at(new Condition("wet").factor_of(lagging), 1));
-(text = new CheckText("Wet creep", "wet creep (estimated)", ($truth($math.isinf(creep)) ? "Gross slip when wet (estimated)" : exceeds), undefined, ("" + "Test lagging " + $str(check__escaped($bound(lagging, "name"))) + " wet."), ("" + "Wet friction " + $format(factor, ("" + ".3g")) + " of dry (" + $str(check__escaped($b.str(source))) + "). A drive that never runs wet has covered = true."), "wet creep", ("" + "creep limit; wet friction " + $format(factor, ("" + ".3g")) + " of dry, " + $str(source))));
+(text = new CheckText("Wet creep", "wet creep (estimated)", ($truth($math.isinf(creep)) ? slips : exceeds), undefined, ("" + "Test lagging " + $str(check__escaped($bound(lagging, "name"))) + " wet."), ("" + "Wet friction " + $format(factor, ("" + ".3g")) + " of dry (" + $str(check__escaped($b.str(source))) + "). A drive that never runs wet has covered = true."), "wet creep", ("" + "creep limit; wet friction " + $format(factor, ("" + ".3g")) + " of dry, " + $str(source))));
 yield $c2e75.compare(creep, limit, $bound(of, "place"), text);
 }
 function in_page_checks__wet(result, _factor) {
@@ -7699,6 +7749,10 @@ _problems() {
 const self = this; 
 return [];
 }
+get drum_torque() {
+const self = this; 
+return $mul($mul(self.count, self.gear_ratio), self.rated_torque);
+}
 bears(momentary) {
 const self = this; 
 return ($truth(momentary) ? $b.min(1.6, self.largest_load()) : 1.0);
@@ -7709,9 +7763,20 @@ const self = this; let eta;
 (eta = ((drum_torque >= 0.0) ? self.gear_efficiency : (1.0 / self.gear_efficiency)));
 return (drum_torque / $mul(eta, self.drum_torque));
 }
-get drum_torque() {
-const self = this; 
-return $mul($mul(self.count, self.gear_ratio), self.rated_torque);
+drum_speed(drum_torque) {
+const self = this; let end, excess, load, speed, within;
+
+([load, end] = [self.load(drum_torque), self.largest_load()]);
+(within = $b.min($b.max(load, $neg(end)), end));
+(excess = $sub(load, within));
+(speed = (self.shaft_speed(within) / self.gear_ratio));
+return $mul(speed, $math.exp($mul($neg(10.0), $math.copysign($math.log1p($b.abs(excess)), excess))));
+}
+limits() {
+const self = this; let end;
+
+(end = self.largest_load());
+return [($truth(self.brakes) ? $neg(end) : 0.0), end];
 }
 get rated_torque() {
 const self = this; 
@@ -7879,15 +7944,15 @@ return $replaced(self, new Map([["tight", tight], ["slack", slack], ["slack_end"
 }
 $sig(State, ["tight", "slack", "slack_end", "width", "diameter", "strength", "centrifugal", "creep_limit", "motor", "found"], false, {});
 class VariableSpeed extends Motor {
+shaft_speed(load) {
+const self = this; 
+return $mul(self.rated_speed, $b.max($sub(self.setting, $mul(self.droop, load)), 0.001));
+}
 largest_load() {
 const self = this; let stall;
 
 (stall = ((self.droop > 0.0) ? ($mul(0.9, self.setting) / self.droop) : Infinity));
 return $b.min($bound(self, "torque_limit"), stall);
-}
-shaft_speed(load) {
-const self = this; 
-return $mul(self.rated_speed, $b.max($sub(self.setting, $mul(self.droop, load)), 0.001));
 }
 }
 $sig(VariableSpeed, ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes", "setting", "droop", "torque_limit"], false, {gear_ratio: () => 1.0, gear_efficiency: () => 1.0, motor_efficiency: () => null, count: () => 1, brakes: () => true, setting: () => 1.0, droop: () => 0.0, torque_limit: () => Infinity});
@@ -9622,14 +9687,6 @@ return [];
 (message = ("" + "must be below the synchronous speed " + $str(motors___rpm($bound(self, "synchronous_speed"))) + " by at most 20 %"));
 return [new Problem(message, undefined, undefined, "rated_speed", motors___rpm($bound(self, "rated_speed")))];
 }
-largest_load() {
-const self = this; 
-return self.breakdown_ratio;
-}
-bears(momentary) {
-const self = this; 
-return $b.min(super.bears(momentary), $mul(0.81, self.breakdown_ratio));
-}
 shaft_speed(load) {
 const self = this; let breakdown_slip, part, ratio, x;
 
@@ -9638,6 +9695,14 @@ const self = this; let breakdown_slip, part, ratio, x;
 (part = (x / $add(1.0, $math.sqrt($b.max($sub(1.0, $mul(x, x)), 0.0)))));
 (breakdown_slip = $mul(self.rated_slip, $add(ratio, $math.sqrt($sub($mul(ratio, ratio), 1.0)))));
 return $mul(self.synchronous_speed, $b.max($sub(1.0, $mul(breakdown_slip, part)), 0.001));
+}
+largest_load() {
+const self = this; 
+return self.breakdown_ratio;
+}
+bears(momentary) {
+const self = this; 
+return $b.min(super.bears(momentary), $mul(0.81, self.breakdown_ratio));
 }
 get rated_slip() {
 const self = this; 
@@ -9665,6 +9730,23 @@ $m.append(problems, new Problem(message, undefined, undefined, key, $b.str($b.li
 }
 return problems;
 }
+shaft_speed(load) {
+const self = this; let pump;
+
+(pump = super.shaft_speed(load));
+return $mul(pump, $sub(1.0, self._slip($mul(load, $pow((self.rated_speed / pump), 2)))));
+}
+_slip(load) {
+const self = this; let i, loads, size, slip, slips, weight;
+([size, loads, slips] = [$b.abs(load), self.coupling_load, self.coupling_slip]);
+(i = 0);
+while (((i < $sub($b.len(loads), 2)) && (size > $at(loads, $add(i, 1))))) {
+(i = $add(i, 1));
+}
+(weight = ($sub(size, $at(loads, i)) / $sub($at(loads, $add(i, 1)), $at(loads, i))));
+(slip = $add($at(slips, i), $mul(weight, $sub($at(slips, $add(i, 1)), $at(slips, i)))));
+return $math.copysign($b.min(slip, 0.95), load);
+}
 largest_load() {
 const self = this; 
 return self._end;
@@ -9683,23 +9765,6 @@ if (($mul(load, $pow((self.rated_speed / pump), 2)) <= $at(self.coupling_load, $
 }
 }
 return (($eq(high, self.breakdown_ratio)) ? high : low);
-}
-shaft_speed(load) {
-const self = this; let pump;
-
-(pump = super.shaft_speed(load));
-return $mul(pump, $sub(1.0, self._slip($mul(load, $pow((self.rated_speed / pump), 2)))));
-}
-_slip(load) {
-const self = this; let i, loads, size, slip, slips, weight;
-([size, loads, slips] = [$b.abs(load), self.coupling_load, self.coupling_slip]);
-(i = 0);
-while (((i < $sub($b.len(loads), 2)) && (size > $at(loads, $add(i, 1))))) {
-(i = $add(i, 1));
-}
-(weight = ($sub(size, $at(loads, i)) / $sub($at(loads, $add(i, 1)), $at(loads, i))));
-(slip = $add($at(slips, i), $mul(weight, $sub($at(slips, $add(i, 1)), $at(slips, i)))));
-return $math.copysign($b.min(slip, 0.95), load);
 }
 }
 $sig(FluidCoupling, ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes", "synchronous_speed", "breakdown_ratio", "coupling_load", "coupling_slip"], false, {gear_ratio: () => 1.0, gear_efficiency: () => 1.0, motor_efficiency: () => null, count: () => 1, brakes: () => true, breakdown_ratio: () => 2.5});
