@@ -101,3 +101,4 @@ def test_units_that_a_number_may_have_had() -> None:
     assert meant_by(630.0, "length", 0.15, 3.0) == ["630 mm"]
     assert meant_by(1.0 / 3.0, "length", 1e-3, 0.06) == []
     assert meant_by(160.0, "power", 250.0, 2e7) == ["160 kW", "160 hp"]
+    assert meant_by(0.9, "mass", 94.7, 7100.0) == ["900 kg"]  # 0.9 t is the same mass

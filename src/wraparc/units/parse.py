@@ -176,7 +176,8 @@ _CONFUSED: dict[Dimension, tuple[str, ...]] = {
 def meant_by(value: float, dimension: Dimension, least: float, most: float) -> list[str]:
     """Return what may have been meant by a value that is outside its usual range, at most two.
 
-    The number as it was probably written, three digits at most, with another unit.
+    The number as it was probably written, three digits at most, with another unit; of those that
+    mean one value the first.
 
     Parameters
     ----------
@@ -185,7 +186,7 @@ def meant_by(value: float, dimension: Dimension, least: float, most: float) -> l
     dimension
         What it measures.
     """
-    found: list[tuple[bool, str]] = []
+    found: list[tuple[bool, float, str]] = []
     units = _CONFUSED.get(dimension, ())
     for written in units:
         number = value / unit_factor(written, dimension)
@@ -193,11 +194,13 @@ def meant_by(value: float, dimension: Dimension, least: float, most: float) -> l
         if abs(number - short) > 1e-9 * abs(short):
             continue
         for unit in units:
-            text = f"{short:g} {unit}"
-            inside = least <= short * unit_factor(unit, dimension) <= most
-            if inside and unit != written and text not in (t for _, t in found):
-                found.append((not 1.0 <= short < 1e3, text))
-    return [text for _, text in sorted(found, key=lambda one: one[0])[:2]]
+            means = short * unit_factor(unit, dimension)
+            if least <= means <= most and unit != written:
+                found.append((not 1.0 <= short < 1e3, means, f"{short:g} {unit}"))
+    texts = dict[str, str]()  # by the value that is meant
+    for _, means, text in sorted(found, key=lambda one: one[0]):
+        texts.setdefault(f"{means:.9g}", text)
+    return list(texts.values())[:2]
 
 
 def unit_names() -> tuple[str, ...]:
