@@ -109,7 +109,7 @@ def test_a_load_just_over_is_told_apart_from_what_is_allowed() -> None:
     """1.0012 times the rated torque: 100.1 % of it, which in three digits is 100 %."""
     check = motor_load(1.0012, 1.0, False, Place("one", "design"), False, 110e3)
     assert in_units(check.text) == "Motor torque 100.1 % exceeds the 100.0 % rating (one, design)."
-    assert in_units(check.action_text) == "Use motors of 111 kW or more."
+    assert in_units(check.action_text) == "Use motors of 111 kW or more (now 110 kW)."
 
 
 def test_numbers_that_are_alike_are_told_in_few_digits() -> None:

@@ -27,7 +27,7 @@ def said(**of: Any) -> list[str]:
             {"pulley": {"wrap_angle": 0.0575958653158129}},
             "Check the unit of wrap: 3.3 rad?",
         ),  # 3.3 deg
-        ({"creep_limit": 0.25}, "Check the unit of creep limit: 25 mm or 0.25 cm?"),  # 250 mm
+        ({"creep_limit": 0.25}, "Check the unit of creep limit: 25 mm or 0.25 in?"),  # 250 mm
         ({"creep_limit": 0.16129}, "Check the unit of creep limit: 6.35 mm?"),  # 6.35 in
         ({"pulley": {"diameter": 630.0}}, "Check the unit of diameter: 630 mm?"),
         (

@@ -467,7 +467,7 @@ def take_up(drive: Drive) -> Iterator[Check]:
         label="take-up tension",
         headline=f"{kind.capitalize()} take-up needs equal {what}: {escaped(str(named[0]))} has "
         f"{{least}}, {escaped(str(named[1]))} has {{most}}",
-        action=f"Set equal {what}, or correct take_up.kind or take_up.after.",
+        action=f"Set the same {what} in both, or correct take_up.kind or take_up.after.",
         full=f"Behind {escaped(other)} the tension is equal in every load case." if other else "",
         more={"least": Amount(tensions[low], "force"), "most": Amount(tensions[high], "force")},
         binding=False,
@@ -510,7 +510,7 @@ def meeting(before: str, leaves: float, after: str, enters: float, place: Place)
         label="tensions differ",
         headline=f"Belt leaves {escaped(before)} at {{leaves}} but enters {escaped(after)} at "
         "{enters}",
-        action="Give equal tensions, or [train] with a run of {rise}.",
+        action=f"Let {escaped(after)} enter at {{leaves}}, or give [train] a run of {{rise}}.",
         more={
             "leaves": Amount(leaves, "force"),
             "enters": Amount(enters, "force"),

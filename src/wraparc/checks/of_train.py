@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
+from typing import NamedTuple
 
 from wraparc.arrays import Number
 from wraparc.checks.check import Amount, Check, Level, Place, escaped
@@ -51,8 +52,9 @@ def of_case(train: Train, case: CaseResult) -> Iterator[Check]:
             for m, motor in zip(case.members, _motors(case.case), strict=False)
             if isinstance(motor, Motor)
         )
-        at = Place(_beyond(case), case.case.name)
-        yield operating_point(case.status, case.reason, at, overrun=overrun)
+        beyond = _beyond(case)
+        at = place if beyond is None else place._replace(pulley=beyond.name)
+        yield operating_point(case.status, case.reason, at, overrun=overrun, beyond=beyond)
     several = len(case.members) > 1
     if not case.status.solved:
         yield from not_working(place) if several else ()
@@ -71,17 +73,25 @@ def of_case(train: Train, case: CaseResult) -> Iterator[Check]:
     yield from (_motor(m, motor, case.case, helps) for m, motor in driven_by)
 
 
-def _beyond(case: CaseResult) -> str:
-    """Return the pulley whose motor would have to leave its curve; empty without one."""
-    if case.status is not TrainStatus.BEYOND_MOTOR:
-        return ""
+class Beyond(NamedTuple):
+    """A motor that would have to leave its curve: its pulley, and loads in rated torques [-]."""
+
+    name: str
+    load: float
+    end: float
+
+
+def _beyond(case: CaseResult) -> Beyond | None:
+    """Return the first motor that would have to leave its curve."""
     for member, motor in zip(case.members, _motors(case.case), strict=False):
         point, turns = member.motor, member.rotation_speed
         if not isinstance(motor, Motor) or point is None:
             continue
         if beyond_motor(member.name, turns, motor, point):
-            return member.name
-    return ""
+            low, high = motor.limits()
+            end = high if point.motor_load > 0.0 else -low
+            return Beyond(member.name, abs(point.motor_load), end)
+    return None
 
 
 def _motors(case: TrainCase) -> Sequence[Motor | TorqueFollower]:
@@ -138,7 +148,7 @@ def motor_load(
     if helps and not momentary:
         action = f"Try torque sharing, or {more}."
     if math.isfinite(power):
-        action = "Use motors of {power} or more."
+        action = "Use motors of {power} or more (now {rated})."
     text = CheckText(
         title=_MOTOR[momentary],
         noun=MOTOR_NOUN,
@@ -153,6 +163,7 @@ def motor_load(
         more={
             "power": Amount(power * abs(load) / most, "power", "up"),
             "times": Amount(abs(load) / most, "number", "up"),
+            "rated": Amount(power, "power"),
         },
     )
     return (MOMENTARY_LOAD if momentary else MOTOR_LOAD).compare(abs(load), most, place, text)
@@ -173,14 +184,24 @@ OF_MOTORS = (MOTOR_LOAD, MOMENTARY_LOAD, MOTOR_HEAT)
 
 
 def operating_point(
-    status: TrainStatus, reason: str, place: Place, *, overrun: bool = False
+    status: TrainStatus,
+    reason: str,
+    place: Place,
+    *,
+    overrun: bool = False,
+    beyond: Beyond | None = None,
 ) -> Check:
     """Return the check that a train without an operating point misses.
 
-    `overrun` is whether a motor that cannot hold back is asked to.
+    `overrun` is whether a motor that cannot hold back is asked to, `beyond` a motor whose curve
+    ends before its load.
     """
     fault = status is TrainStatus.UNSOLVED
     headline, label, action = _NO_POINT[status]
+    load = end = math.nan
+    if beyond is not None and not overrun:
+        headline = "Motor torque {value} exceeds {limit}, the end of its curve"
+        load, end = beyond.load, beyond.end
     return Check(
         name="operating_point",
         title="Operating point",
@@ -191,6 +212,9 @@ def operating_point(
         action="Set brakes = true if the drive can brake." if overrun else action,
         full=escaped(reason),
         place=place,
+        value=load,
+        limit=end,
+        is_percent=True,
     )
 
 
@@ -218,7 +242,7 @@ def check_opposing_drives(opposing: float, place: Place, division: Division) -> 
     opposes = opposing > 0.0
     action = "Try torque sharing or closer speeds: run wraparc trim."
     if isinstance(division, Shares):
-        action = "Give shares above 0 %."
+        action = "Set every load share above 0 %."
     elif isinstance(division, Pulls):
         action = "Give tensions with which every pulley drives."
     return Check(

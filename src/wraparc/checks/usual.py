@@ -341,8 +341,7 @@ def _motor_sizes(drive: Drive, motors: Sequence[Motor]) -> Iterator[Check]:
     needed = max(pulls) * (drive.belt.speed or math.nan)
     rated = sum(motor.count * motor.rated_power for motor in motors)
     if rated and needed and not usual(rated / needed, 0.0, LARGE_MOTORS):
-        name = "motor power over required power"
-        yield unusual(name, "number", NOWHERE, rated / needed, (0.0, LARGE_MOTORS))
+        yield unusual(_LARGE, "number", NOWHERE, rated / needed, (0.0, LARGE_MOTORS))
 
 
 _FITS = "pulley speed over belt speed"
@@ -368,8 +367,7 @@ def _conveyor_sizes(of: Conveyor, width: float) -> Iterator[Check]:
         name = "material per length of belt"
         yield unusual(name, "mass_per_length", NOWHERE, of.material, load)
     if not (odd or usual(slope, -STEEPEST, STEEPEST)):
-        name = "conveyor lift over length"
-        yield unusual(name, "number", NOWHERE, slope, (-STEEPEST, STEEPEST))
+        yield unusual(_STEEP, "number", NOWHERE, slope, (-STEEPEST, STEEPEST))
 
 
 def unusual(
@@ -413,6 +411,7 @@ def unusual(
 #: Dimensions of sizes that are compared over the width of the belt.
 _OVER_WIDTH = ("force", "mass_per_length")
 _MASS = "belt mass"
+_LARGE, _STEEP = "motor power over required power", "conveyor lift over length"
 _WRAP = "wrap"
 _AT_RATING = "wrap pressure at the belt rating"
 _SAG = "tension for sag"
@@ -424,6 +423,8 @@ _CHECKED = {
     _STRONG: "belt.strength and belt.rating: both per width",
     _RATIO: "belt.modulus and belt.rating: both per width",
     _MASS: "belt.mass: per length of belt",
+    _LARGE: "rated_power of the motors, Te, belt speed",
+    _STEEP: "conveyor.lift and conveyor.length",
     _SAG: "idler_spacing, line_mass and share of [sag]",
 }
 

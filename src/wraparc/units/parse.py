@@ -177,7 +177,7 @@ def meant_by(value: float, dimension: Dimension, least: float, most: float) -> l
     """Return what may have been meant by a value that is outside its usual range, at most two.
 
     The number as it was probably written, three digits at most, with another unit; of those that
-    mean one value the first.
+    mean one value the first, numbers below 1 or of four digits, centimetres and feet last.
 
     Parameters
     ----------
@@ -186,7 +186,7 @@ def meant_by(value: float, dimension: Dimension, least: float, most: float) -> l
     dimension
         What it measures.
     """
-    found: list[tuple[bool, float, str]] = []
+    found: list[tuple[int, float, str]] = []
     units = _CONFUSED.get(dimension, ())
     for written in units:
         number = value / unit_factor(written, dimension)
@@ -196,7 +196,8 @@ def meant_by(value: float, dimension: Dimension, least: float, most: float) -> l
         for unit in units:
             means = short * unit_factor(unit, dimension)
             if least <= means <= most and unit != written:
-                found.append((not 1.0 <= short < 1e3, means, f"{short:g} {unit}"))
+                seldom = 2 * (unit in ("cm", "ft")) + (not 1.0 <= short < 1e3)
+                found.append((seldom, means, f"{short:g} {unit}"))
     texts = dict[str, str]()  # by the value that is meant
     for _, means, text in sorted(found, key=lambda one: one[0]):
         texts.setdefault(f"{means:.9g}", text)

@@ -2150,13 +2150,14 @@ yield check;
 }
 }
 function* of_train__of_case(train, case_) {
-let at, driven, driven_by, helps, lost, motors, overrun, place, several;
+let at, beyond, driven, driven_by, helps, lost, motors, overrun, place, several;
 
 (place = new Place("", $bound(case_.case, "name")));
 if (($truth(case_.adrift) || ($in(case_.status, ["No operating point: a motor would have to work outside its curve. Change its set speed or gear, or choose another motor.", "The solver did not reach its accuracy on this train. Please report the drive file; until then change a value slightly."])))) {
 (overrun = $b.any((function* () { for (const [m, motor] of $iter($b.zip($bound(case_, "members"), of_train___motors($bound(case_, "case")), $k({strict: false})))) { if (!($truth($b.isinstance(motor, Motor)))) continue; yield $and((m.motor != null), () => $and((m.motor.motor_load < 0.0), () => !$truth(motor.brakes))); } })()));
-(at = new Place(of_train___beyond(case_), $bound(case_.case, "name")));
-yield of_train__operating_point($bound(case_, "status"), $bound(case_, "reason"), at, overrun);
+(beyond = of_train___beyond(case_));
+(at = ((beyond == null) ? place : $replaced(place, new Map([["pulley", beyond.name]]))));
+yield of_train__operating_point($bound(case_, "status"), $bound(case_, "reason"), at, overrun, beyond);
 }
 (several = ($b.len($bound(case_, "members")) > 1));
 if (!$truth($told($cc303, case_.status, "solved"))) {
@@ -2179,21 +2180,20 @@ function of_train___motors(case_) {
 return ($truth($b.isinstance(case_.division, Motors)) ? case_.division.motors : []);
 }
 function of_train___beyond(case_) {
-let member, motor, point, turns;
+let end, high, low, member, motor, point, turns;
 
-if ((case_.status !== "No operating point: a motor would have to work outside its curve. Change its set speed or gear, or choose another motor.")) {
-return "";
-}
 for ([member, motor] of $iter($b.zip($bound(case_, "members"), of_train___motors($bound(case_, "case")), $k({strict: false})))) {
 ([point, turns] = [member.motor, member.rotation_speed]);
 if ((!$truth($b.isinstance(motor, Motor)) || (point == null))) {
 continue;
 }
 if ($truth(turning__beyond_motor($bound(member, "name"), turns, motor, point))) {
-return member.name;
+([low, high] = motor.limits());
+(end = ((point.motor_load > 0.0) ? high : $neg(low)));
+return new Beyond($bound(member, "name"), $b.abs($bound(point, "motor_load")), end);
 }
 }
-return "";
+return null;
 }
 function turning__beyond_motor(name, rotation, motor, point) {
 let end, high, low, means, rounding, top, turns;
@@ -2226,12 +2226,17 @@ break;
 }
 return [$at(told, 0), $at(told, 1)];
 }
-function of_train__operating_point(status, reason, place, overrun = false) {
-let action, fault, headline, label;
+function of_train__operating_point(status, reason, place, overrun = false, beyond = null) {
+let action, end, fault, headline, label, load;
 
 (fault = (status === "The solver did not reach its accuracy on this train. Please report the drive file; until then change a value slightly."));
 ([headline, label, action] = $at($c3340, status));
-return new Check("operating_point", "Operating point", ($truth(fault) ? "INTERNAL ERROR" : "FAILS"), place, undefined, undefined, "operating point", undefined, undefined, undefined, undefined, undefined, ($truth(overrun) ? "The belt drives the motors: no operating point" : headline), ($truth(overrun) ? "Set brakes = true if the drive can brake." : action), check__escaped(reason), label);
+(load = NaN); (end = load);
+if (((beyond != null) && !$truth(overrun))) {
+(headline = "Motor torque {value} exceeds {limit}, the end of its curve");
+([load, end] = [beyond.load, beyond.end]);
+}
+return new Check("operating_point", "Operating point", ($truth(fault) ? "INTERNAL ERROR" : "FAILS"), place, undefined, undefined, "operating point", load, end, undefined, true, undefined, ($truth(overrun) ? "The belt drives the motors: no operating point" : headline), ($truth(overrun) ? "Set brakes = true if the drive can brake." : action), check__escaped(reason), label);
 }
 function check__escaped(text) {
 
@@ -2263,7 +2268,7 @@ let action, opposes;
 (opposes = (opposing > 0.0));
 (action = "Try torque sharing or closer speeds: run wraparc trim.");
 if ($truth($b.isinstance(division, Shares))) {
-(action = "Give shares above 0 %.");
+(action = "Set every load share above 0 %.");
 } else {
 if ($truth($b.isinstance(division, Pulls))) {
 (action = "Give tensions with which every pulley drives.");
@@ -2342,9 +2347,9 @@ if (($truth(helps) && !$truth(momentary))) {
 (action = ("" + "Try torque sharing, or " + $str(more) + "."));
 }
 if ($truth($math.isfinite(power))) {
-(action = "Use motors of {power} or more.");
+(action = "Use motors of {power} or more (now {rated}).");
 }
-(text = new CheckText($at($c625f, momentary), "motor torque", $add("Motor torque {value} exceeds the {limit} ", ($truth(momentary) ? "momentary limit" : "rating")), undefined, action, ($truth(momentary) ? "" : "Above 115 % no usual service factor covers it (NEMA MG 1-14.37)."), "motor torque", ($truth(momentary) ? "IEC 60034-1: 1.6 times the rated torque for 15 s; no stall at 90 % of the voltage (NEMA MG 1-12.44, condensed edition of 2011: torque falls with its square)" : "rating of the motor, continuous duty"), $map([["power", new Amount(($mul(power, $b.abs(load)) / most), "power", "up")], ["times", new Amount(($b.abs(load) / most), "number", "up")]])));
+(text = new CheckText($at($c625f, momentary), "motor torque", $add("Motor torque {value} exceeds the {limit} ", ($truth(momentary) ? "momentary limit" : "rating")), undefined, action, ($truth(momentary) ? "" : "Above 115 % no usual service factor covers it (NEMA MG 1-14.37)."), "motor torque", ($truth(momentary) ? "IEC 60034-1: 1.6 times the rated torque for 15 s; no stall at 90 % of the voltage (NEMA MG 1-12.44, condensed edition of 2011: torque falls with its square)" : "rating of the motor, continuous duty"), $map([["power", new Amount(($mul(power, $b.abs(load)) / most), "power", "up")], ["times", new Amount(($b.abs(load) / most), "number", "up")], ["rated", new Amount(power, "power")]])));
 return ($truth(momentary) ? $c58a5 : $c0dbc).compare($b.abs(load), most, place, text);
 }
 function* of_train__meetings(case_) {
@@ -2361,7 +2366,7 @@ function* of_drive__meeting(before, leaves, after, enters, place) {
 if (($b.abs($sub(leaves, enters)) <= $mul(0.02, $b.max(leaves, enters)))) {
 return null;
 }
-yield new Check("meeting", "Tension between pulleys", "ATTENTION", place, undefined, undefined, "tension between pulleys", undefined, undefined, undefined, undefined, undefined, ("" + "Belt leaves " + $str(check__escaped(before)) + " at {leaves} but enters " + $str(check__escaped(after)) + " at {enters}"), "Give equal tensions, or [train] with a run of {rise}.", undefined, "tensions differ", undefined, undefined, undefined, $map([["leaves", new Amount(leaves, "force")], ["enters", new Amount(enters, "force")], ["rise", new Amount($sub(enters, leaves), "force")]]), false);
+yield new Check("meeting", "Tension between pulleys", "ATTENTION", place, undefined, undefined, "tension between pulleys", undefined, undefined, undefined, undefined, undefined, ("" + "Belt leaves " + $str(check__escaped(before)) + " at {leaves} but enters " + $str(check__escaped(after)) + " at {enters}"), ("" + "Let " + $str(check__escaped(after)) + " enter at {leaves}, or give [train] a run of {rise}."), undefined, "tensions differ", undefined, undefined, undefined, $map([["leaves", new Amount(leaves, "force")], ["enters", new Amount(enters, "force")], ["rise", new Amount($sub(enters, leaves), "force")]]), false);
 }
 function* usual__owners_of(train) {
 let division, kinds, motor, pulley, turns;
@@ -2545,7 +2550,7 @@ return null;
 (what = ($truth(fixed) ? "T1 + T2" : what));
 (other = (($truth(fixed) || $truth(after)) ? "" : of_drive___steady(drive)));
 (named = [...(function* () { for (const name of $iter([low, high])) { yield new Place(undefined, name); } })()]);
-yield new Check("take_up", "Take-up tension", "ATTENTION", undefined, undefined, undefined, "take-up tension", undefined, undefined, undefined, undefined, undefined, ("" + $str($m.capitalize(kind)) + " take-up needs equal " + $str(what) + ": " + $str(check__escaped($b.str($at(named, 0)))) + " has {least}, " + $str(check__escaped($b.str($at(named, 1)))) + " has {most}"), ("" + "Set equal " + $str(what) + ", or correct take_up.kind or take_up.after."), ($truth(other) ? ("" + "Behind " + $str(check__escaped(other)) + " the tension is equal in every load case.") : ""), "take-up tension", ("" + "take-up " + $str(kind) + ", input"), undefined, undefined, $map([["least", new Amount($at(tensions, low), "force")], ["most", new Amount($at(tensions, high), "force")]]), false);
+yield new Check("take_up", "Take-up tension", "ATTENTION", undefined, undefined, undefined, "take-up tension", undefined, undefined, undefined, undefined, undefined, ("" + $str($m.capitalize(kind)) + " take-up needs equal " + $str(what) + ": " + $str(check__escaped($b.str($at(named, 0)))) + " has {least}, " + $str(check__escaped($b.str($at(named, 1)))) + " has {most}"), ("" + "Set the same " + $str(what) + " in both, or correct take_up.kind or take_up.after."), ($truth(other) ? ("" + "Behind " + $str(check__escaped(other)) + " the tension is equal in every load case.") : ""), "take-up tension", ("" + "take-up " + $str(kind) + ", input"), undefined, undefined, $map([["least", new Amount($at(tensions, low), "force")], ["most", new Amount($at(tensions, high), "force")]]), false);
 }
 function alike__falling(items, key) {
 let every, numbers, rounded, step;
@@ -2737,7 +2742,7 @@ if ((($eq(name, "wrap")) && (value > most))) {
 return new Check("usual_sizes", "Input plausibility", "ATTENTION", place, undefined, undefined, name, value, ((value > most) ? most : least), dimension, undefined, (value > most), headline, check__escaped(action), undefined, "implausible input", "sizes that conveyor drives have", undefined, undefined, undefined, false);
 }
 function parse__meant_by(value, dimension, least, most) {
-let found, inside, number, short, text, unit, units, written;
+let _, found, means, number, seldom, short, text, texts, unit, units, written;
 
 (found = []);
 (units = $m.get($c5787, dimension, []));
@@ -2748,14 +2753,18 @@ if (($b.abs($sub(number, short)) > $mul(1e-09, $b.abs(short)))) {
 continue;
 }
 for (unit of $iter(units)) {
-(text = ("" + $format(short, ("" + "g")) + " " + $str(unit)));
-(inside = (least <= $mul(short, parse__unit_factor(unit, dimension)) && $mul(short, parse__unit_factor(unit, dimension)) <= most));
-if (($truth(inside) && (!$eq(unit, written)) && (!$in(text, (function* () { for (const [_, t] of $iter(found)) { yield t; } })())))) {
-$m.append(found, [!(1.0 <= short && short < 1000.0), text]);
+(means = $mul(short, parse__unit_factor(unit, dimension)));
+if (((least <= means && means <= most) && (!$eq(unit, written)))) {
+(seldom = $add($mul(2, ($in(unit, ["cm", "ft"]))), !(1.0 <= short && short < 1000.0)));
+$m.append(found, [seldom, means, ("" + $format(short, ("" + "g")) + " " + $str(unit))]);
 }
 }
 }
-return [...(function* () { for (const [_, text] of $iter($slice($b.sorted(found, $k({key: ((one) => $at(one, 0))})), null, 2))) { yield text; } })()];
+(texts = $b.dict());
+for ([_, means, text] of $iter($b.sorted(found, $k({key: ((one) => $at(one, 0))})))) {
+$m.setdefault(texts, ("" + $format(means, ("" + ".9g"))), text);
+}
+return $slice($b.list($m.values(texts)), null, 2);
 }
 function* usual___turning(drive, owner) {
 let action, belt, check, dimension, ends, motor, name, power, pulley, radius, setting, speed, turns, value, values;
@@ -2786,14 +2795,13 @@ function numbers__compared_motor(power, speed, drum, radius, belt) {
 return [power, speed, ($mul(drum, radius) / belt)];
 }
 function* usual___motor_sizes(drive, motors) {
-let name, needed, pulls, rated;
+let needed, pulls, rated;
 
 (pulls = [...(function* () { for (const case_ of $iter(drive.load_cases)) { yield $b.abs($sub($at(case_.tensions, $at(drive.pulleys, 0).name).entry, $at(case_.tensions, $at(drive.pulleys, $neg(1)).name).exit)); } })()]);
 (needed = $mul($b.max(pulls), $or(drive.belt.speed, () => NaN)));
 (rated = $b.sum((function* () { for (const motor of $iter(motors)) { yield $mul(motor.count, motor.rated_power); } })()));
 if (($truth(rated) && $truth(needed) && !$truth(numbers__usual((rated / needed), 0.0, 6.0)))) {
-(name = "motor power over required power");
-yield usual__unusual(name, "number", $cb829, (rated / needed), [0.0, 6.0]);
+yield usual__unusual("motor power over required power", "number", $cb829, (rated / needed), [0.0, 6.0]);
 }
 }
 function* usual___conveyor_sizes(of, width) {
@@ -2815,8 +2823,7 @@ if (!($truth(odd) || $truth(numbers__usual($bound(of, "material"), ...$iter(load
 yield usual__unusual(name, "mass_per_length", $cb829, $bound(of, "material"), load);
 }
 if (!($truth(odd) || $truth(numbers__usual(slope, $neg(0.5), 0.5)))) {
-(name = "conveyor lift over length");
-yield usual__unusual(name, "number", $cb829, slope, [$neg(0.5), 0.5]);
+yield usual__unusual("conveyor lift over length", "number", $cb829, slope, [$neg(0.5), 0.5]);
 }
 }
 function* usual___law_sizes(lagging) {
@@ -7784,6 +7791,9 @@ return (self.rated_power / self.rated_speed);
 }
 }
 $sig(Motor, ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes"], false, {gear_ratio: () => 1.0, gear_efficiency: () => 1.0, motor_efficiency: () => null, count: () => 1, brakes: () => true});
+class Beyond extends $Tuple {
+}
+$sig(Beyond, ["name", "load", "end"], false, {});
 class Check extends $Object {
 get used() {
 const self = this; 
@@ -8559,6 +8569,9 @@ class OfBelt extends $Dict {
 class Description extends $Tuple {
 }
 $sig(Description, ["entry_tension", "exit_tension", "diameter", "wrap_angle", "width", "axial_stiffness", "thickness", "shear_modulus", "compression_modulus", "overrun", "recovery", "belt_speed", "wear_coefficient", "shear_compliance", "pitch_offset", "centrifugal"], false, {});
+class Load extends $Tuple {
+}
+$sig(Load, ["entry_tension", "exit_tension", "creep_limit", "pressure_min", "pressure_max", "slip_max", "steepest_fall"], false, {});
 class DataLine extends $Tuple {
 }
 $sig(DataLine, ["items", "text"], false, {});
@@ -9768,9 +9781,6 @@ return (($eq(high, self.breakdown_ratio)) ? high : low);
 }
 }
 $sig(FluidCoupling, ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes", "synchronous_speed", "breakdown_ratio", "coupling_load", "coupling_slip"], false, {gear_ratio: () => 1.0, gear_efficiency: () => 1.0, motor_efficiency: () => null, count: () => 1, brakes: () => true, breakdown_ratio: () => 2.5});
-class Load extends $Tuple {
-}
-$sig(Load, ["entry_tension", "exit_tension", "creep_limit", "pressure_min", "pressure_max", "slip_max", "steepest_fall"], false, {});
 class ElongationAt extends $Tuple {
 __str__() {
 const self = this; 
@@ -11916,7 +11926,7 @@ const $c4916 = ["kg m2", "t m2", "kg cm2"];
 const $c9fdd = ["kN m", "N m", "MN m"];
 const $cf51b = ["s", "min", "ms", "h"];
 const $c5787 = new Map([["length", $cad03], ["force", $c358b], ["force_per_width", $ccdcc], ["pressure", $c0321], ["speed", $ca69a], ["angle", $c0d79], ["power", $c3320], ["mass", $cf2ed], ["mass_per_length", $c172d], ["mass_flow", $c6e75], ["density", $cbfef], ["moment_of_inertia", $c4916], ["torque", $c9fdd], ["time", $cf51b]]);
-const $ca493 = new Map([["wrap pressure at the belt rating", "diameter and belt.rating"], ["belt strength over rating", "belt.strength and belt.rating: both per width"], ["belt modulus over rating", "belt.modulus and belt.rating: both per width"], ["belt mass", "belt.mass: per length of belt"], ["tension for sag", "idler_spacing, line_mass and share of [sag]"]]);
+const $ca493 = new Map([["wrap pressure at the belt rating", "diameter and belt.rating"], ["belt strength over rating", "belt.strength and belt.rating: both per width"], ["belt modulus over rating", "belt.modulus and belt.rating: both per width"], ["belt mass", "belt.mass: per length of belt"], ["motor power over required power", "rated_power of the motors, Te, belt speed"], ["conveyor lift over length", "conveyor.lift and conveyor.length"], ["tension for sag", "idler_spacing, line_mass and share of [sag]"]]);
 const $cb829 = new Place("", "", "", "", "", null);
 const $cc9d1 = new Map([["shell_profile", 0.015], ["worn_depth", 0.025], ["build_up", 0.03]]);
 const $c6be2 = ["rated motor power", "power"];
@@ -12326,6 +12336,7 @@ Place.$compared = Place.$names;
 Motors.$compared = Motors.$names;
 Motor.$compared = Motor.$names;
 Motor.LIMITS = Motor.prototype.LIMITS = $c33f2;
+Beyond.$compared = Beyond.$names;
 Check.$compared = Check.$names;
 Pulls.$compared = Pulls.$names;
 Amount.$compared = Amount.$names;
@@ -12373,6 +12384,7 @@ RunsGain.$compared = RunsGain.$names;
 BehindTakeUp.$compared = BehindTakeUp.$names;
 Growth.$compared = Growth.$names;
 Description.$compared = Description.$names;
+Load.$compared = Load.$names;
 DataLine.$compared = DataLine.$names;
 CompactLaw.$compared = CompactLaw.$names;
 TakeUp.$compared = TakeUp.$names;
@@ -12428,7 +12440,6 @@ FileKind.$compared = FileKind.$names;
 Induction.$compared = Induction.$names;
 Induction.LIMITS = Induction.prototype.LIMITS = $c19bc;
 FluidCoupling.$compared = FluidCoupling.$names;
-Load.$compared = Load.$names;
 ElongationAt.$compared = ElongationAt.$names;
 Transition.$compared = Transition.$names;
 Transition.LIMITS = Transition.prototype.LIMITS = $c56ea;
