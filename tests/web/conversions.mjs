@@ -4,12 +4,16 @@ import { readFileSync } from "node:fs";
 globalThis.document = { addEventListener() {}, documentElement: { classList: { add() {} } } };
 const { app } = await import("../../src/wraparc/web/static/base/design.js");
 const { lostParts } = await import("../../src/wraparc/web/static/base/lost_parts.js");
-const { movedKeys, withDrive, withoutDrive } = await import(
+const { conveyorTrains, movedKeys, withDrive, withoutDrive } = await import(
   "../../src/wraparc/web/static/pages/train/convert.js"
 );
 const does = {
   add: (doc, arcs) => withDrive(doc, arcs ?? []),
   remove: (doc, i) => withoutDrive(doc, i),
+  tensions: ({ conveyor, ...rest }, arcs) => ({
+    ...rest,
+    load_case: conveyorTrains({ conveyor, ...rest }, arcs),
+  }),
 };
 const told = ({ doc, press, with: more }) => {
   const after = does[press](doc, more);

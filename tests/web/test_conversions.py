@@ -15,11 +15,12 @@ import pytest
 
 from checks.test_every_key import DOCUMENTS
 from judgement.rows import BASE, CONVEYOR, MOTION, TANDEM, TURNED
-from wraparc import Drive, Train
+from wraparc import Drive, Train, solve_train
 from wraparc.train.file import drive_or_train_from_document, train_from_document
 from wraparc.web.answers.form import form
 
 Data = dict[str, Any]
+EXAMPLES = Path(__file__).parents[2] / "examples"
 TENSIONS = ("entry_tension", "exit_tension", "effective_tension", "power", "torque")
 CASES = loads(
     BASE.replace('entry_tension = "120 kN"', 'effective_tension = "45 kN"')
@@ -114,6 +115,49 @@ def test_a_conveyor_gives_its_load_cases_and_is_named() -> None:
     for name, tensions in ends(before).items():
         assert ends(train)[name] == pytest.approx(tensions, rel=1e-8)
     assert [c.kind for c in train.cases] == [c.kind for c in before.load_cases]
+
+
+OVERLAND = loads((EXAMPLES / "overland-head-tail.toml").read_text("utf-8"))
+
+
+def arcs_of(train: Train) -> list[Data]:
+    """Return what the page knows of the arcs of a train."""
+    return [
+        {
+            "load_case": case.case.name,
+            "pulley": member.name,
+            "numbers": {
+                "entry_tension": member.arc.arc.entry_tension,
+                "exit_tension": member.arc.arc.exit_tension,
+            },
+        }
+        for case in solve_train(train).cases
+        for member in case.members
+    ]
+
+
+def test_a_conveyor_with_flights_gives_its_drives_what_it_gave_them() -> None:
+    """Expected: the tensions at every drum that the flights gave, of starts and stops too."""
+    before = train_from_document(OVERLAND)
+    arcs = arcs_of(before)
+    (after,) = pressed({"doc": OVERLAND, "press": "tensions", "with": arcs})
+    assert after["lost"] == ["conveyor"]
+    train = train_from_document(after["doc"])
+    assert [c.kind for c in train.cases] == [c.kind for c in before.cases]
+    for was, now in zip(arcs, arcs_of(train), strict=True):
+        assert (now["load_case"], now["pulley"]) == (was["load_case"], was["pulley"])
+        assert now["numbers"] == pytest.approx(was["numbers"], rel=1e-7)
+
+
+@pytest.mark.parametrize("removed", [1, 2])  # without the head drive the belt goes slack
+def test_a_drive_more_and_a_drive_less_have_their_places_on_the_conveyor(removed: int) -> None:
+    (more,) = added(OVERLAND)
+    assert len(train_from_document(more["doc"]).pulleys) == 3
+    assert more["lost"] == []
+    (less,) = pressed({"doc": more["doc"], "press": "remove", "with": removed})
+    names = [p["name"] for p in less["doc"]["pulley"]]
+    assert [d["pulley"] for d in less["doc"]["conveyor"]["drive"]] == names
+    assert [p.name for p in train_from_document(less["doc"]).pulleys] == names
 
 
 IN_TRAIN = loads(

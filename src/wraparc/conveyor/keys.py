@@ -129,7 +129,7 @@ CONVEYOR_CASE = Table(
     Entry("kind", "running if left out.", Choice(("running", "starting", "braking"), _STOPPING)),
     of=ConveyorCase,
 )
-_AT = Entry("at", "Its place; the head if left out.", Choice(PLACES))
+_AT = Entry("at", "Its place; the head if left out.", Choice(PLACES), title="Place")
 _POSITION = Entry("position", 'For "carry" from the tail, for "return" from the head.')
 DRIVE_PLACE = Table(
     "Drive of the conveyor",

@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from functools import cache
 
 from wraparc.answer import key_figures
-from wraparc.conveyor.keys import CONVEYOR
+from wraparc.conveyor.keys import CONVEYOR, Slope
 from wraparc.drive import CREEP_LIMIT, Lagging
 from wraparc.drive.usual_sizes import USUAL_SIZES
 from wraparc.files.across_keys import ACROSS, PULLEY_END, TRANSITION
@@ -14,8 +14,8 @@ from wraparc.files.lagging_keys import LAGGING_GIVEN
 from wraparc.glossary import GLOSSARY
 from wraparc.glossary import Quantity as GlossaryQuantity
 from wraparc.motion.keys import CONTROL, DRUM, MOTION
-from wraparc.schema.kinds import Choice, Flag, Kind, Name, Quantity, TextOr, WordOr
-from wraparc.schema.tables import Entry, Table
+from wraparc.schema.kinds import Choice, Count, Flag, Kind, Name, Quantity, Rows, TextOr, WordOr
+from wraparc.schema.tables import Entry, Table, Variant
 from wraparc.train.keys import TRAIN, TRAIN_FILE
 from wraparc.units import (
     DIMENSION_TEXT,
@@ -168,6 +168,7 @@ def form() -> Form:
             _section("lagging", "Lagging", "pulley[].lagging.", lagging, repeated=True),
             _section("load_case", "Load cases", "load_case[].", case, repeated=True),
             _section("conveyor", "Conveyor", "conveyor.", filter(_is_plain, CONVEYOR.entries)),
+            *_conveyor_parts(),
             *criteria,
             _section("train", "Train", "train.", TRAIN.entries),
             _section("motion", "In time", "motion.", filter(_is_plain, MOTION.entries)),
@@ -187,6 +188,21 @@ def form() -> Form:
             _section("gripping", "Other pulley", f"{_ACROSS}after.", PULLEY_END.entries),
         ],
     )
+
+
+def _conveyor_parts() -> Iterable[Section]:
+    """Yield a section a table of the conveyor: its flights, loading points, drives and the rest."""
+    for entry in CONVEYOR.entries:
+        kind, key = entry.kind, f"conveyor.{entry.key}"
+        if isinstance(kind, Table):
+            yield _section(key, entry.title, f"{key}.", kind.entries)
+        elif isinstance(kind, Rows) and isinstance(kind.kind, Table):
+            of = filter(_is_plain, kind.kind.entries)
+            yield _section(key, entry.title, f"{key}[].", of, repeated=True)
+        elif isinstance(kind, Rows) and isinstance(kind.kind, Variant):
+            for name, table in kind.kind.tables.items():
+                of = filter(_is_plain, table.entries[1:])
+                yield _section(f"{key} {name}", name.capitalize(), f"{key}[].", of, repeated=True)
 
 
 def _term(quantity: GlossaryQuantity) -> Term:
@@ -231,10 +247,10 @@ def _section(
     key: str, title: str, prefix: str, entries: Iterable[Entry], *, repeated: bool = False
 ) -> Section:
     names = _IN_KEYS.get(key, {})
-    in_time = prefix.startswith("motion.")  # a run is a length there, and no rise of tension
+    # a run is a length in time, and no rise of tension; a position on a conveyor is no angle
+    own = prefix.startswith(("motion.", "conveyor.")) and prefix != "conveyor."
     fields = [
-        _field(entry, prefix, "" if in_time else names.get(entry.key, entry.key))
-        for entry in entries
+        _field(entry, prefix, "" if own else names.get(entry.key, entry.key)) for entry in entries
     ]
     return Section(key=key, title=title, repeated=repeated, fields=fields)
 
@@ -267,6 +283,10 @@ def _kind_name(path: str, kind: Kind) -> str:
         return "belt"
     if path == "pulley[].lagging":
         return "lagging"
+    if isinstance(kind, Slope):  # 3 % or 2 deg
+        return "text"
+    if isinstance(kind, Count):
+        return "number"
     if isinstance(kind, Quantity):
         return "number" if kind.dimension == "number" else "quantity"
     if isinstance(kind, Choice):
@@ -281,7 +301,7 @@ def _kind_name(path: str, kind: Kind) -> str:
 
 
 def _limits(kind: Kind) -> Data:
-    if not isinstance(kind, Quantity):
+    if not isinstance(kind, Quantity) or isinstance(kind, Slope):
         return {}
     limit, dimension = kind.limit, kind.dimension
     if limit is None:

@@ -147,12 +147,20 @@ export function caseNames(doc) {
 export const besides = ({ condition: c }) => (Array.isArray(c) && c.length > 1 ? c : []);
 
 /** Names of the load cases that a conveyor gives. @param {Record<string, any>} of */
-const states = (of) => [
-  "full",
-  "empty",
-  ...(of.start_factor != null || of.start_time != null ? ["start"] : []),
-  ...(of.stop_time != null ? ["stop"] : []),
-];
+function states(of) {
+  const rises = rowsOf(of.flight).map((f) => Number.parseFloat(f?.lift ?? f?.slope ?? 0));
+  const mixed = rises.some((r) => r < 0) && rises.some((r) => r > 0);
+  return [
+    "full",
+    "empty",
+    ...(mixed ? ["inclines", "declines"] : []),
+    ...(of.start_factor != null || of.start_time != null ? ["start"] : []),
+    ...(of.stop_time != null ? ["stop"] : []),
+    ...rowsOf(of.load_case).map((c) => c?.name || ""),
+  ];
+}
+/** @param {any} rows @returns {any[]} */
+export const rowsOf = (rows) => (Array.isArray(rows) ? rows : []);
 
 /** @param {Design} doc @returns {Units} */
 const unitsOf = (doc) => (/(in|ft)$/.test(String(doc.belt.width ?? "")) ? "us" : "si");

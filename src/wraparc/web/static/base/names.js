@@ -38,6 +38,10 @@ export function renamePulley(i, name) {
       doc = renamed(doc, at, from, name);
     for (const key of ["train", "motion"])
       if (doc[key]) doc = { ...doc, [key]: referring(doc[key], from, name) };
+    const places = doc.conveyor?.drive?.map?.((/** @type {any} */ d) =>
+      d?.pulley === from ? { ...d, pulley: name } : d,
+    );
+    if (places) doc = set(doc, ["conveyor", "drive"], places);
     if (doc.take_up?.after === from) doc = set(doc, ["take_up", "after"], name);
     const cases = doc.load_case?.map((c) =>
       renamed(renamed(c, ["pulley"], from, name), ["train", "run"], from, name),

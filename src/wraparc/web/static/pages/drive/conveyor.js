@@ -5,7 +5,8 @@ import { changeNaming } from "../../base/removed.js";
 import { written } from "../../base/units.js";
 import { field, more, parted, section } from "../../parts/field.js";
 import { h } from "../../vendor/preact.js";
-import { conveyorCases } from "../train/convert.js";
+import { conveyorCases, conveyorTrains } from "../train/convert.js";
+import { lists, replaced } from "./flights.js";
 import { without } from "./load.js";
 import { known } from "./solving.js";
 
@@ -55,7 +56,8 @@ export function conveyor(now) {
 }
 /** @param {Now} now @returns {Children[]} */
 function given(now) {
-  const [first, others] = parted(section("conveyor"), FIRST);
+  const own = section("conveyor").filter((s) => !replaced().includes(s.key));
+  const [first, others] = parted(own, FIRST);
   const long = app.units === "us" ? "ft" : "m"; // what is said of a conveyor
   const row = (/** @type {any} */ s) => {
     const inUnit = s.dimension === "length" ? long : undefined;
@@ -64,8 +66,10 @@ function given(now) {
   const remove = () => {
     const { conveyor: _, ...rest } = app.doc;
     const { name = "" } = rest.pulley[0];
-    const cases = conveyorCases(app.doc, known()?.arcs ?? []);
-    const load_case = cases.map(([of, ends]) => ({ ...of, pulley: { [name]: ends } }));
+    const arcs = known()?.arcs ?? [];
+    const load_case = rest.train
+      ? conveyorTrains(app.doc, arcs)
+      : conveyorCases(app.doc, arcs).map(([of, ends]) => ({ ...of, pulley: { [name]: ends } }));
     changeNaming(load_case.length ? { ...rest, load_case } : withShown(rest, now()));
     requestAnimationFrame(() => document.getElementById("describe-conveyor")?.focus());
   };
@@ -77,6 +81,7 @@ function given(now) {
     ),
     ...first.map(row),
     more("More of the conveyor", others.map(row), undefined, "conveyor"),
+    ...lists(),
     h("button", { type: "button", key: "remove", onClick: remove }, "Give the tensions themselves"),
   ];
 }

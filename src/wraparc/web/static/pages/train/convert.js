@@ -1,5 +1,5 @@
 // One drive to several and back: what is said of the load moves along.
-import { besides, set } from "../../base/design.js";
+import { besides, rowsOf, set } from "../../base/design.js";
 import { si, written } from "../../base/units.js";
 
 /** @import { Design, FullArc, Pulley } from "../../types.d.ts" */
@@ -44,14 +44,24 @@ function ofTrain(doc, table) {
     : found;
 }
 const KINDS = /** @type {Record<string, string>} */ ({ start: "starting", stop: "braking" });
+/** The first condition behind the names of load cases, if there are several. @param {Design} doc */
+const besideOf = (doc) => besides(doc).map((c) => `, ${c.name ?? c}`)[0] ?? "";
+/** @param {Design} doc @param {FullArc} arc */
+const caseOf = (doc, { load_case: name }) => {
+  const first = besideOf(doc);
+  return first && name.endsWith(first) ? name.slice(0, -first.length) : name;
+};
 /** The load cases that a conveyor gives, with the tensions that were found of them.
  * @param {Design} doc @param {FullArc[]} arcs @returns {[any, any][]} each with its tensions */
 export function conveyorCases(doc, arcs) {
-  const [first] = besides(doc).map((c) => `, ${c.name ?? c}`);
+  const first = besideOf(doc);
   const here = arcs.filter((a) => !first || a.load_case.endsWith(first));
-  return here.map(({ load_case: name, numbers: n }) => {
-    const own = first ? name.slice(0, -first.length) : name;
-    const kind = KINDS[own] && { kind: KINDS[own] };
+  const given = rowsOf(doc.conveyor?.load_case);
+  return here.map((arc) => {
+    const own = caseOf(doc, arc);
+    const said = given.find((c) => c?.name === own)?.kind ?? KINDS[own];
+    const kind = said && said !== "running" && { kind: said };
+    const n = arc.numbers;
     const ends = ["entry_tension", "exit_tension"].map((key) => [
       key,
       written(n[key] ?? Number.NaN, "force", DIGITS),
@@ -60,6 +70,35 @@ export function conveyorCases(doc, arcs) {
   });
 }
 
+/** The same of several drives: tensions at both ends, runs between, shares where shares are given.
+ * @param {Design} doc @param {FullArc[]} arcs @returns {any[]} */
+export function conveyorTrains(doc, arcs) {
+  const names = doc.pulley.map((p) => p.name ?? "");
+  /** @param {FullArc | undefined} arc @param {"entry_tension" | "exit_tension"} key */
+  const end = (arc, key) => arc?.numbers[key] ?? Number.NaN;
+  const force = (/** @type {number} */ v) => written(v, "force", DIGITS);
+  return conveyorCases(
+    doc,
+    arcs.filter((a) => a.pulley === names[0]),
+  ).map(([of, ends]) => {
+    const here = names.map((n) => arcs.find((a) => a.pulley === n && caseOf(doc, a) === of.name));
+    const pulls = here.map((a) => end(a, "entry_tension") - end(a, "exit_tension"));
+    const all = pulls.reduce((sum, of) => sum + of, 0);
+    const run = names
+      .map((n, i) => [n, i ? end(here[i], "entry_tension") - end(here[i - 1], "exit_tension") : 0])
+      .filter(([, v]) => v)
+      .map(([n, v]) => [n, force(/** @type {number} */ (v))]);
+    const train = {
+      entry_tension: ends.entry_tension,
+      exit_tension: force(end(here[here.length - 1], "exit_tension")),
+      ...(run.length && { run: Object.fromEntries(run) }),
+      ...(doc.train?.share && {
+        share: pulls.map((of) => `${+((100 * of) / all).toPrecision(9)} %`),
+      }),
+    };
+    return { ...of, train };
+  });
+}
 /** A drive with one more behind the others, which is given no load but a first second one.
  * @param {Design} doc @param {FullArc[]} arcs of the drive as a whole, as far as they are known
  * @returns {Design} */
@@ -90,7 +129,15 @@ function ofTrainWith(doc, more) {
     ...(Array.isArray(t.speeds) && { speeds: [...t.speeds, "100 %"] }),
     ...(Array.isArray(t.diameters) && { diameters: [...t.diameters, more.diameter] }),
   });
-  return withTrains({ ...doc, pulley: [...doc.pulley, more] }, add);
+  const next = withTrains({ ...doc, pulley: [...doc.pulley, more] }, add);
+  const places = rowsOf(doc.conveyor?.drive);
+  const last = places[places.length - 1]; // the new one is where the last is, and brakes nothing
+  const place = {
+    ...last,
+    pulley: more.name,
+    ...(last?.brake_share != null && { brake_share: 0 }),
+  };
+  return places.length ? set(next, ["conveyor", "drive"], [...places, place]) : next;
 }
 /** A document with the tables of its train changed, of load cases too.
  * @param {Design} doc @param {(train: any) => any} f @returns {Design} */
@@ -115,6 +162,10 @@ export function withoutDrive(doc, i) {
   const { drum } = doc.motion ?? {};
   if (drum?.[name]) next = set(next, ["motion", "drum"], without(drum, [name]));
   if (doc.take_up?.after === name) next = set(next, ["take_up", "after"], undefined);
+  if (doc.conveyor?.drive) {
+    const places = placesWithout(rowsOf(doc.conveyor.drive), name);
+    next = set(next, ["conveyor", "drive"], places.length ? places : undefined);
+  }
   if (!doc.train) {
     const cases = doc.load_case?.map((/** @type {any} */ c) =>
       c.pulley ? { ...c, pulley: without(c.pulley, [name]) } : c,
@@ -134,6 +185,13 @@ export function withoutDrive(doc, i) {
     pulley: [alone],
     ...(cases && { load_case: cases }),
   });
+}
+/** Places of drives without one; who brakes must be said anew where that one did.
+ * @param {any[]} places @param {string} name */
+function placesWithout(places, name) {
+  const left = places.filter((d) => d?.pulley !== name);
+  const braked = places.some((d) => d?.pulley === name && Number.parseFloat(d.brake_share) > 0);
+  return braked ? left.map((d) => without(d, ["brake_share"])) : left;
 }
 /** A table of a train without what is of one drive; the shares of the others keep their ratios.
  * @param {any} table @param {Design} doc @param {number} i @returns {any} */

@@ -67,6 +67,7 @@ export const trainInputs = (answer) =>
       "Add a drive behind",
     ),
   );
+const BY_CONVEYOR = "The conveyor gives the tensions: see One pulley, More inputs.";
 /** @param {any} t @param {any} answer */
 function trainFields(t, answer) {
   const mode = modeOf(t);
@@ -85,7 +86,9 @@ function trainFields(t, answer) {
     "fieldset",
     { key: "train" },
     h("legend", {}, "Train"),
-    LOADS.map((k) => make(spec("train", k), ["train", k], { slider: undefined })),
+    app.doc.conveyor
+      ? h("p", { class: "help", key: "conveyor" }, BY_CONVEYOR)
+      : LOADS.map((k) => make(spec("train", k), ["train", k], { slider: undefined })),
     h(
       "div",
       { class: "field", key: "mode" },
@@ -103,7 +106,7 @@ function trainFields(t, answer) {
     ),
     mode === "share" && each("share", "Such as 50 %, or a power such as 300 kW."),
     mode === "speeds" && each("speeds", "Such as 99.7 %, or 71.6 rpm."),
-    app.doc.pulley.slice(1).map(run),
+    !app.doc.conveyor && app.doc.pulley.slice(1).map(run),
   );
 }
 /** @type {Record<string, string>} */

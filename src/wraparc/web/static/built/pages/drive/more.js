@@ -1,1 +1,1 @@
-import{a,b,c,d}from"../../chunk-DA2GFJ2M.js";import"../../chunk-67AWL4ZT.js";import"../../chunk-RLXXJ5FI.js";import"../../chunk-4Z3HTJIB.js";export{d as assumed,c as isAssumed,b as moreInputs,a as pulleyName};
+import{a,b,c,d}from"../../chunk-QEE2DRMC.js";import"../../chunk-67AWL4ZT.js";import"../../chunk-NSSPJY45.js";import"../../chunk-4Z3HTJIB.js";export{d as assumed,c as isAssumed,b as moreInputs,a as pulleyName};
