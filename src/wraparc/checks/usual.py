@@ -309,7 +309,7 @@ _MOTOR, _TURNS = ("Motor",), ("Speed",)
 def _turning(drive: Drive, owner: Owner) -> Iterator[Check]:
     """Yield what is unusual of a motor, and of a speed that does not fit that of the belt."""
     motor, pulley, power, speed = owner.of, drive.pulley(owner.place.pulley), math.nan, math.nan
-    turns, action = motor, "Check rotation_speeds, diameter, belt speed."
+    turns, action = motor, "Check train.speeds, diameter, belt speed."
     if isinstance(motor, Motor):
         power, speed = motor.rated_power, motor.rated_speed
         setting = motor.setting if isinstance(motor, VariableSpeed) else 1.0

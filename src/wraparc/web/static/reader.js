@@ -2770,7 +2770,7 @@ function* usual___turning(drive, owner) {
 let action, belt, check, dimension, ends, motor, name, power, pulley, radius, setting, speed, turns, value, values;
 
 ([motor, pulley, power, speed] = [owner.of, drive.pulley($bound(owner.place, "pulley")), NaN, NaN]);
-([turns, action] = [motor, "Check rotation_speeds, diameter, belt speed."]);
+([turns, action] = [motor, "Check train.speeds, diameter, belt speed."]);
 if ($truth($b.isinstance(motor, Motor))) {
 ([power, speed] = [motor.rated_power, motor.rated_speed]);
 (setting = ($truth($b.isinstance(motor, VariableSpeed)) ? motor.setting : 1.0));
