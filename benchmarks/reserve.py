@@ -1,6 +1,6 @@
-"""Reserves of random drives followed from both sides: benchmarks/reserve.py [drives] [first].
+"""Reserves of random drives followed from both sides: benchmarks/reserve.py [numbers] [first].
 
-Draws drives and trains (tests/doors/draw.py), and at 0.97 and 1.03 of every change that a reserve
+Draws drives and trains of so many numbers (tests/doors/draw.py), and at 0.97 and 1.03 of every change that a reserve
 states solves and judges the drive that is changed so, built in tests/reserve/follow.py. Prints
 what does not hold, how many reserves are not calculated and why, and what they take. The gate runs
 the same with few (tests/reserve/test_find.py).
@@ -25,6 +25,8 @@ def main() -> None:
     wrong, flips, times = 0, 0, list[float]()
     kinds = Counter[str]()
     for number, result in random_results(count, first=first):
+        if number >= first + count:
+            break
         judge(result)
         begin = time.process_time()
         reserve = find_reserve(result)

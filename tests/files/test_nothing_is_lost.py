@@ -235,11 +235,20 @@ def test_a_calibrated_lagging_keeps_what_was_not_calibrated(tmp_path: Path) -> N
     (tmp_path / "drive.toml").write_text(tomli_w.dumps(drive), "utf-8")
     number = {"quantity": "exit_creep", "value": "6 mm", "sd": "0.1 mm"}
     document = {"format": 1, "drive": "drive.toml", "parameters": ["friction"], "number": [number]}
+    document["errors"] = {"slip_axis": "5 %"}
     measured = measured_from_document(document, folder=str(tmp_path))
     before = measured.problem.drive.pulleys[0].lagging
-    after = calibrated_lagging(calibrate(measured.problem), measured)
-    same = replace(after, law=before.law, name=before.name, title=before.title,
+    found = calibrate(measured.problem)
+    after = calibrated_lagging(found, measured)
+    same = replace(after, law=before.law, name=before.name, title=before.title, uncertainty={},
                    provenance=before.provenance, sources=before.sources)  # fmt: skip
     assert same == before
+    # the interval of what was found, and 1.96 of the standard deviation that the file states
+    (friction,) = found.estimates
+    assert friction.value is not None
+    assert friction.low is not None
+    assert friction.high is not None
+    off = max(friction.high / friction.value, friction.value / friction.low) - 1.0
+    assert after.uncertainty == pytest.approx({"friction": off, "slip": 0.098}, abs=2e-4)
     for part in ("bond_strength", "fatigue_limit", "wear_coefficient", "thickness"):
         assert after.source_of(part) == before.source_of(part), part

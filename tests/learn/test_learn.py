@@ -14,9 +14,10 @@ from render.reading import metadata, structure
 from wraparc import InputError, load_drive
 from wraparc.answer.learn_sheet import learn_sheet
 from wraparc.checks import Level
+from wraparc.learn.errors import LogErrors
 from wraparc.learn.file import load_plan
 from wraparc.learn.learn import Learned, learn
-from wraparc.learn.write import learned_levels
+from wraparc.learn.write import learned_levels, learned_text
 from wraparc.schema.overrides import read_document
 from wraparc.units import in_units
 
@@ -118,6 +119,26 @@ def test_first_screen_json_and_learned_drive(folder: Path, monkeypatch: pytest.M
     made = Path("a.pdf").read_bytes()
     assert "Overland CV-07, 14 days" in metadata(made)
     assert len(structure(made, "Figure")) == 2
+
+
+def test_a_learned_drive_states_how_uncertain_it_is(learned: Learned, tmp_path: Path) -> None:
+    """Friction by its interval; 1.96 of each standard deviation that the learn file states."""
+    (own,) = learned.pulleys
+    assert own.friction is not None
+    off = max(own.friction.high / own.friction.value, own.friction.value / own.friction.low) - 1.0
+    stated = {"belt_modulus": 0.08, "exit_tension": 0.03, "peak_slip": 0.1, "torque_gain": 0.02}
+    path, drive = tmp_path / "learned.toml", learned.plan.drive
+    for errors in ({}, stated):
+        plan = replace(learned.plan, errors=LogErrors(errors))
+        path.write_text(learned_text(replace(learned, plan=plan)), "utf-8")
+        made = load_drive(path)
+        (pulley,) = made.pulleys
+        assert pulley.lagging.uncertainty["friction"] == pytest.approx(off, rel=0.2)
+        assert made.states_uncertainty
+        assert pulley.lagging.uncertainty.get("slip") == (0.196 if errors else None)
+        assert made.belt.uncertainty == ({"modulus": 0.157} if errors else {})
+        assert pulley.uncertainty == ({"exit_tension": 0.0588} if errors else {})
+    assert replace(made.belt, uncertainty={}) == drive.belt
 
 
 def test_a_log_and_a_drive_file_alone(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -47,6 +47,11 @@ def changed_drive(drive: Drive, of: Input, change: float) -> Drive:
     times = 1.0 + change
     if of.name == "belt_modulus":
         return replace(drive, belt=replace(drive.belt, modulus=times * drive.belt.modulus))
+    if of.name == "carcass":
+        assert drive.belt.carcass is not None
+        return replace(drive, belt=replace(drive.belt, carcass=times * drive.belt.carcass))
+    if of.name in ("take_up_distance", "start_factor"):
+        return _conveyed(drive, of.name, times)
     if of.name in ("effective_tension", "slack_tension"):
         take_up = drive.take_up_tension(drive.load_case())
         cases = tuple(_loaded(case, of.name, change, take_up) for case in drive.load_cases)
@@ -61,6 +66,20 @@ def changed_drive(drive: Drive, of: Input, change: float) -> Drive:
             made = replace(pulley, lagging=every[0], conditions=tuple(every[1:]))
         pulleys.append(made)
     return replace(drive, pulleys=tuple(pulleys))
+
+
+def _conveyed(drive: Drive, name: str, times: float) -> Drive:
+    """Return the drive at the tensions of its conveyor with a number that is so much larger."""
+    conveyor, (pulley,) = drive.conveyor, drive.pulleys
+    assert conveyor is not None
+    more: dict[str, Any] = {name: times * getattr(conveyor, name)}
+    made = replace(conveyor, **more)
+    ends = {state.name: (state.entry, state.exit) for state in made.states()}
+    cases = []
+    for case in drive.load_cases:
+        entry, leaving = ends[case.name]
+        cases.append(replace(case, tensions={pulley.name: Tensions(entry=entry, exit=leaving)}))
+    return replace(drive, load_cases=tuple(cases), conveyor=made)
 
 
 def _loaded(case: LoadCase, name: str, change: float, take_up: float) -> LoadCase:

@@ -24,7 +24,7 @@ DRIVES = {
     "steel-cord-drive": {"effective_tension", "slack_tension", "diameter"},
     "downhill-braking": {"belt_modulus", "slack_tension", "wrap_angle", "diameter"},
     "tandem-fabric": {"effective_tension", "slack_tension", "wrap_angle", "diameter"},
-    "uphill-conveyor": {"belt_modulus", "slack_tension"},
+    "uphill-conveyor": {"belt_modulus", "slack_tension", "start_factor"},
 }
 
 

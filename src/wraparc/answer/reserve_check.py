@@ -32,12 +32,12 @@ def judge_uncertain(result: Whole) -> Verdict:
 
 def _check_reserve(result: Whole) -> Check:
     """Return whether a change within a stated uncertainty changes the level of the verdict."""
-    from wraparc.reserve import STATED, find_reserve  # solves rows
+    from wraparc.reserve import COUNTED, find_reserve  # solves rows
 
     reserve, drive = find_reserve(result), by_pulley(result).drive
     if reserve.reason:
         return Check(name=_NAME, title=_TITLE, level=Level.NOT_CHECKED, why=reserve.reason)
-    flips = [flip for flip in reserve.flips if flip.uncertainty.kind == STATED]
+    flips = [flip for flip in reserve.flips if flip.uncertainty.kind in COUNTED]
     if not flips:
         return Check(name=_NAME, title=_TITLE, level=Level.OK)
     worse = [f for f in flips if f.is_within and f.level.rank > reserve.level.rank]
@@ -46,9 +46,11 @@ def _check_reserve(result: Whole) -> Check:
 
 def _check_of(flip: Flip, drive: Drive) -> Check:
     from wraparc.answer.reserve_words import change_text, input_name  # solves rows
+    from wraparc.reserve import STATED
 
     name, change = input_name(flip.input, drive), change_text(flip, drive)
     change = f"{change[:1].upper()}{change[1:]}"
+    stated = flip.uncertainty.kind == STATED
     headline = f"{change} changes the verdict, within its uncertainty" if flip.is_within else ""
     return Check(
         name=_NAME,
@@ -64,5 +66,5 @@ def _check_of(flip: Flip, drive: Drive) -> Check:
         headline=escaped(headline),
         action=escaped(f"Measure {name}.") if flip.is_within else "",
         label="reserve",
-        source="stated uncertainty",
+        source="stated uncertainty" if stated else flip.uncertainty.source,
     )

@@ -30,7 +30,8 @@ NAMES = {
     "friction": "friction", "slip": "slip scale", "belt_modulus": "belt modulus",
     "shear_modulus": "G", "compression_modulus": "E_c", "lagging_thickness": "lagging thickness",
     "diameter": "diameter", "wrap_angle": "wrap", "effective_tension": "Te",
-    "slack_tension": "T2",
+    "slack_tension": "T2", "carcass": "carcass thickness", "take_up_distance": "take-up place",
+    "start_factor": "start factor",
 }  # fmt: skip
 _LEAST_PERCENT = 0.1
 
@@ -91,6 +92,8 @@ def input_name(of: Input, drive: Drive) -> str:
         at = case.tensions[drive.pulleys[0].name], case.tensions[drive.pulleys[-1].name]
         name = "slack-side tension" if at[0].entry < at[1].exit else name
         name = "take-up tension" if drive.take_up_place else name
+    if of.name == "carcass" and drive.belt.kind == "steel cord":
+        name = "cord diameter"
     return f"{name} of {of.label}" if of.label else name
 
 

@@ -11,7 +11,7 @@ from wraparc.arc.answer import operating_point
 from wraparc.arc.quantities import SOLVED
 from wraparc.arc.wrap_arc import WrapArc
 from wraparc.arrays import Array
-from wraparc.drive import knots_of, with_peaks
+from wraparc.drive import Fit, knots_of, with_peaks
 from wraparc.friction import FrictionLaw, PressureKnots
 
 nan = math.nan
@@ -72,14 +72,12 @@ def laws_at_ends(arc: WrapArc) -> tuple[FrictionLaw, ...] | None:
     if math.isinf(creep):
         return None
     covariance, slopes = fit.log_covariance, np.zeros(len(peaks))
-    first, last = _felt(arc, knots)
-    for i, (place, quantity) in enumerate(fit.knots):
-        spread = math.sqrt(max(float(covariance[i, i]), 0.0))
-        if not first <= place <= last or spread == 0.0:
-            continue
-        # to more friction, or earlier friction: such an arc is solved where this one is
+    first, last = felt_knots(arc, knots)
+    for i, (place, _) in enumerate(fit.knots):
         step = np.zeros(len(peaks))
-        step[i] = _STEP * spread * (1.0 if quantity == "peak_friction" else -1.0)
+        step[i] = step_of(fit, i)
+        if not first <= place <= last or step[i] == 0.0:
+            continue
         slopes[i] = (_creep_under(arc, moved(step)) - creep) / step[i]
     deviation = math.sqrt(max(float(slopes @ covariance @ slopes), 0.0))
     if deviation == 0.0:
@@ -88,7 +86,16 @@ def laws_at_ends(arc: WrapArc) -> tuple[FrictionLaw, ...] | None:
     return moved(-way), moved(way)
 
 
-def _felt(arc: WrapArc, knots: PressureKnots) -> tuple[int, int]:
+def step_of(fit: Fit, i: int) -> float:
+    """Return the step of a slope over the logarithm of a fitted peak [-]; 0 where it is exact.
+
+    To more friction, or earlier friction: such an arc is solved where this one is.
+    """
+    spread = math.sqrt(max(float(fit.log_covariance[i, i]), 0.0))
+    return _STEP * spread * (1.0 if fit.knots[i][1] == "peak_friction" else -1.0)
+
+
+def felt_knots(arc: WrapArc, knots: PressureKnots) -> tuple[int, int]:
     """Return the first and the last knot that the pressures along an arc can feel.
 
     A monotone cubic between two knots takes its slopes from the knots beside them.

@@ -26,7 +26,7 @@ from wraparc.calibrate.problem import (
     usual_method,
 )
 from wraparc.calibrate.record import ROLES, RecordChoices, read_record
-from wraparc.drive import Drive, Lagging, Limit, Tensions
+from wraparc.drive import Drive, Lagging, Limit, Tensions, half_interval
 from wraparc.drive.belt import MOST_THICKNESS
 from wraparc.drive.pitch import USUAL_OFFSET, pitch_offset
 from wraparc.errors import name_remedy
@@ -499,6 +499,26 @@ def calibrated_source(measured: Measured, title: str) -> Provenance:
     return replace(Provenance(Kind.CALIBRATED, f"calibrated to: {source}"), note=note[:900])
 
 
+#: Uncertainty of a lagging by the parameter that was found, and by the error that was stated.
+_OF_PARAMETER = {"friction": "friction", "peak_slip": "slip", "shear_modulus": "shear_modulus"}
+_OF_ERROR = {"slip_axis": "slip", "lagging_shear": "shear_modulus"}
+
+
+def _uncertainties(found: Calibration, measured: Measured, before: Lagging) -> dict[str, float]:
+    """Return how far numbers of a calibrated lagging may be off.
+
+    By the 95 % intervals of what was found, else as it was stated of them, else by the errors.
+    """
+    errors = {k: v for k, v in measured.problem.errors.items() if k not in measured.problem.assumed}
+    known = {_OF_ERROR[key]: half_interval(errors[key]) for key in _OF_ERROR if key in errors}
+    known |= before.uncertainty
+    for one in found.estimates:
+        if one.name in _OF_PARAMETER and one.value and one.low and one.high:
+            off = max(one.high / one.value - 1.0, 1.0 - one.low / one.value)
+            known[_OF_PARAMETER[one.name]] = min(round(off, 4), 1.0)
+    return known
+
+
 def calibrated_lagging(found: Calibration, measured: Measured, name: str = "") -> Lagging:
     """Return the calibrated lagging; what was not calibrated keeps its source.
 
@@ -517,6 +537,7 @@ def calibrated_lagging(found: Calibration, measured: Measured, name: str = "") -
     kept = {part: before.source_of(part) for part in parts if getattr(before, part) is not None}
     return replace(
         lagging,
+        uncertainty=_uncertainties(found, measured, before),
         name=name or f"{before.name}-calibrated"[:60],
         title=f"{before.title or before.name}, calibrated",
         provenance=calibrated_source(measured, measured.title),

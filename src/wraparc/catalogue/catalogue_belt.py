@@ -32,6 +32,8 @@ class CatalogueBelt:
         Covers that the name states [m], or None.
     carcass
         Thickness of the carcass, or diameter of the cords [m], or None if not published.
+    carcass_ends
+        Least and largest that are published of such belts [m], where `carcass` is a usual one.
     cord_pitch
         Distance between the axes of steel cords [m], or None if not published.
     carcass_mass, cover_mass
@@ -57,6 +59,7 @@ class CatalogueBelt:
     pulley_cover: float | None = None
     carry_cover: float | None = None
     carcass: float | None = None
+    carcass_ends: tuple[float, float] | None = None
     cord_pitch: float | None = None
     carcass_mass: float | None = None
     cover_mass: float | None = None

@@ -119,6 +119,8 @@ CORDS = {
     6500: Cords(12.4e-3, 20.1e-3, _FLEXSTEEL),
     7000: Cords(12.4e-3, 18.8e-3, _FLEXSTEEL),
 }
+#: By how much cord diameters of a type differ between makers [-].
+CORD_SPREAD = 0.08
 #: Least drive pulley over the thickness of the tension member, group A of DIN 22101 [-], and the
 #: diameters that it is rounded up to [m].
 PULLEY_FACTORS = {"EP": 108.0, "PN": 108.0, "EE": 108.0, PIW: 108.0, "NN": 90.0, STEEL: 145.0}
@@ -214,6 +216,7 @@ def _with_plies(belt: CatalogueBelt, of: BeltName, strength: float) -> Catalogue
     return replace(
         belt,
         carcass=thickness,
+        carcass_ends=(spread[0] * thickness, spread[1] * thickness),
         carcass_mass=PLIES_DENSITY * thickness,
         cover_mass=COVER_DENSITY,
         sources={
@@ -232,7 +235,9 @@ def _with_cords(belt: CatalogueBelt, strength: float) -> CatalogueBelt:
         return belt
     sources = {
         **belt.sources,
-        "carcass": _estimated(cords.source, "cord diameter, makers differ by 8 %"),
+        "carcass": _estimated(
+            cords.source, f"cord diameter, makers differ by {100.0 * CORD_SPREAD:g} %"
+        ),
         "carcass_mass": _estimated(_MASS_SOURCES["steel cord"], "by strength and cords, to 7 %"),
         "cover_mass": _estimated(_MASS_SOURCES["steel cord"], _COVERS),
     }
@@ -241,6 +246,7 @@ def _with_cords(belt: CatalogueBelt, strength: float) -> CatalogueBelt:
     return replace(
         belt,
         carcass=cords.diameter,
+        carcass_ends=((1.0 - CORD_SPREAD) * cords.diameter, (1.0 + CORD_SPREAD) * cords.diameter),
         cord_pitch=_known(cords.pitch),
         carcass_mass=CORDS_MASS * strength + FILLING_MASS * cords.diameter,
         cover_mass=STEEL_COVER_DENSITY,

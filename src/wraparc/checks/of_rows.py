@@ -17,6 +17,7 @@ from wraparc.arc.wrap_arc import of_belt
 from wraparc.arrays import Array, Codes, Flags, Integers
 from wraparc.batch import BatchResult, Setting, row
 from wraparc.batch.arcs import Arcs
+from wraparc.batch.interval import Fitted, farthest_creeps
 from wraparc.batch.scaled import solve_scaled
 from wraparc.batch.sliding import slides_of, wet_creeps
 from wraparc.checks.case_kind import CASE_KIND, named_kind
@@ -35,6 +36,7 @@ from wraparc.checks.numbers import (
 )
 from wraparc.checks.of_arc import (
     COVER_CREEP,
+    CREEP_INTERVAL,
     DESIGN_STANDARD,
     GROSS_SLIP,
     NO_GRIP,
@@ -584,6 +586,30 @@ def _covered_creep(
     again = solve_scaled(covered, friction, slip, setting=setting, parts=row.RATIO)
     found[which] = np.where(again.solved, np.abs(again["exit_creep"]), math.inf)
     return found
+
+
+def interval_of(
+    solved: BatchResult,
+    held: Held,
+    laws: Sequence[Fitted],
+    factors: tuple[Array, Array],
+    where: Flags | None = None,
+) -> RowCheck:
+    """Return the creep at the far end of the interval of fitted laws, of some arcs.
+
+    Where the creep itself exceeds the limit it stands for that of the end, which is larger still.
+    """
+    arcs = solved.arcs
+    creep = np.abs(solved["exit_creep"])
+    fitted = np.array([of.has_knots for of in laws])[arcs.law] & solved.solved
+    value = np.where(fitted, creep, math.nan)
+    asked = fitted & kept_rows(creep, arcs.creep_limit, at_most=True)
+    which = np.flatnonzero(asked if where is None else asked & where)
+    if len(which):
+        friction, slip = (factor[which] for factor in factors)
+        ends = farthest_creeps(arcs.rows(which), laws, (friction, slip), solved.setting)
+        value[which] = ends
+    return _compared(CREEP_INTERVAL, held, value, np.where(fitted, arcs.creep_limit, math.nan))
 
 
 def kept_rows(value: Array, limit: Array, *, at_most: bool) -> Flags:

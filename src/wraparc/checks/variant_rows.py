@@ -15,8 +15,10 @@ from wraparc.arc.wrap_arc import WrapArc
 from wraparc.arrays import Array, Flags, Integers
 from wraparc.batch import BatchResult, Setting, row
 from wraparc.batch.arcs import COLUMNS, Arcs, compression_moduli
+from wraparc.batch.interval import Fitted
 from wraparc.batch.laws import LawBank
 from wraparc.batch.scaled import solve_scaled
+from wraparc.checks.of_arc import CREEP_INTERVAL
 from wraparc.checks.of_rows import (
     NAMES,
     OF_ROWS,
@@ -26,6 +28,7 @@ from wraparc.checks.of_rows import (
     Wanted,
     gross_slip_of,
     held_by,
+    interval_of,
     row_checks,
 )
 from wraparc.checks.of_train import OF_MOTORS
@@ -33,7 +36,6 @@ from wraparc.checks.rule import Rule
 from wraparc.checks.rules import ACROSS_CHECKS
 from wraparc.drive import Drive, Tensions
 from wraparc.drive.pitch import centrifugal_of, strain_ratio
-from wraparc.friction import FrictionLaw
 
 #: Checks that rows make of a drive.
 KNOWN = frozenset(NAMES) - ACROSS_CHECKS - {rule.name for rule in OF_MOTORS}
@@ -83,6 +85,8 @@ class VariantArcs(NamedTuple):
         Factors on their laws [-].
     possible
         Whether the tensions of a variant are some, shape (n,).
+    laws
+        Their laws, with the statistics of their fits.
     """
 
     places: tuple[tuple[str, str], ...]
@@ -91,11 +95,18 @@ class VariantArcs(NamedTuple):
     friction: Array
     slip: Array
     possible: Flags
+    laws: tuple[Fitted, ...] = ()
 
     def variants(self, which: Integers) -> VariantArcs:
         """Return some of the variants."""
         starts = np.arange(len(self.places)) * len(self.possible)
         return self._rows((starts[:, None] + which).ravel(), self.possible[which])
+
+    def at_places(self, which: Integers) -> VariantArcs:
+        """Return the arcs of some places."""
+        n = len(self.possible)
+        found = self._rows((which[:, None] * n + np.arange(n)).ravel(), self.possible)
+        return found._replace(places=tuple(self.places[place] for place in which.tolist()))
 
     def check_described(self) -> JudgedRows:
         """Return the checks that need no solution."""
@@ -106,7 +117,7 @@ class VariantArcs(NamedTuple):
 
     def _rows(self, rows: Integers, possible: Flags) -> VariantArcs:
         held, factors = self.held.rows(rows), (self.friction[rows], self.slip[rows])
-        return VariantArcs(self.places, self.arcs.rows(rows), held, *factors, possible)
+        return VariantArcs(self.places, self.arcs.rows(rows), held, *factors, possible, self.laws)
 
     def judge(
         self,
@@ -143,7 +154,10 @@ class VariantArcs(NamedTuple):
     def _solved(self, setting: Setting, rules: Sequence[Rule], wanted: Wanted) -> JudgedRows:
         factors = self.friction, self.slip
         solved = solve_scaled(self.arcs, *factors, setting=setting, capacities=False)
-        checks = row_checks(solved, self.held, factors, setting, rules, wanted)
+        checks = [*row_checks(solved, self.held, factors, setting, rules, wanted)]
+        if CREEP_INTERVAL in rules and any(of.has_knots for of in self.laws):
+            where = wanted.get(CREEP_INTERVAL)
+            checks.append(interval_of(solved, self.held, self.laws, factors, where))
         return self._possible(tuple(checks), solved)
 
     def _possible(self, checks: tuple[RowCheck, ...], solved: BatchResult) -> JudgedRows:
@@ -181,6 +195,9 @@ class VariantRows:
         By how much all tensions are higher, shape (n,) [N].
     pull
         Factor on the effective tension, the lowest tension being fixed, shape (n,) [-].
+    tensions
+        Entry and exit tensions of the pulleys by load case, shape (2, pulleys, n) [N]; nan where
+        they are those of the drive.
     factors
         Factors by name of a column of arcs, `FRICTION` or `SLIP`, of shape (pulleys, n) or (n,)
         [-]. E_c follows the thickness of a lagging.
@@ -193,6 +210,7 @@ class VariantRows:
     which: Integers
     lift: Array
     pull: Array
+    tensions: Mapping[str, Array] = field(default_factory=dict)
     factors: Mapping[str, Array] = field(default_factory=dict)
     odd: Array | None = None
 
@@ -208,13 +226,13 @@ class VariantRows:
         InputError
             If one of the drives cannot be solved as it is.
         """
-        places, arcs, held, possible = self._arcs()
+        places, arcs, held, possible, laws = self._arcs()
         pulleys = [p.name for p in self.drives[0].pulleys]
         of = [pulleys.index(name) for name, _ in places]
         friction, slip = (
             np.concatenate([self._factor(name, index) for index in of]) for name in (FRICTION, SLIP)
         )
-        return VariantArcs(places, arcs, held, friction, slip, possible)
+        return VariantArcs(places, arcs, held, friction, slip, possible, laws)
 
     def _factor(self, name: str, index: int) -> Array:
         """Return the factor of each variant on a column of a pulley [-]."""
@@ -224,8 +242,10 @@ class VariantRows:
             return np.ones(n)
         return np.asarray(factor if factor.ndim == 1 else factor[index])
 
-    def _arcs(self) -> tuple[tuple[tuple[str, str], ...], Arcs, Held, Flags]:
-        """Return the places, all arcs, what they are held against, and which can be."""
+    def _arcs(
+        self,
+    ) -> tuple[tuple[tuple[str, str], ...], Arcs, Held, Flags, tuple[Fitted, ...]]:
+        """Return the places, all arcs, what they are held against, which can be, and the laws."""
         first = self.drives[0]
         own: list[list[WrapArc]] = []
         of: list[tuple[list[Drive], str, int]] = []
@@ -236,8 +256,8 @@ class VariantRows:
                 own.append(
                     [WrapArc.of(d, d.pulleys[index], d.load_case(case.name)) for d in drives]
                 )
-        laws = list(dict.fromkeys(arc.law for arcs in own for arc in arcs))
-        bank, possible = LawBank.of(laws), np.ones(len(self.which), dtype=bool)
+        laws = list(dict.fromkeys(Fitted(arc.law, arc.fit) for arcs in own for arc in arcs))
+        bank, possible = LawBank.of([of.law for of in laws]), np.ones(len(self.which), dtype=bool)
         every, held = list[Arcs](), list[Held]()
         for (drives, name, index), arcs_of in zip(of, own, strict=True):
             ends, there = self._ends(drives, name)
@@ -246,7 +266,7 @@ class VariantRows:
             every.append(arcs)
             held.append(self._held(drives, name, index, arcs, ends))
         places = tuple((first.pulleys[index].name, name) for _, name, index in of)
-        return places, _below(every), Held.joined(held), possible
+        return places, _below(every), Held.joined(held), possible, tuple(laws)
 
     def _held(
         self, drives: list[Drive], case: str, index: int, arcs: Arcs, ends: tuple[Array, Array]
@@ -272,6 +292,9 @@ class VariantRows:
         )[self.which]
         slack = pairs.min(axis=(1, 2), keepdims=True)
         after = slack + self.pull[:, None, None] * (pairs - slack) + self.lift[:, None, None]
+        if name in self.tensions:
+            given = np.moveaxis(self.tensions[name], -1, 0).swapaxes(1, 2)
+            after = np.where(np.isnan(given), after, given)
         flying = np.array([centrifugal_of(drive.belt) for drive in drives])[self.which]
         valid = after.min(axis=(1, 2)) > flying + _LEAST_TENSION
         valid &= after.max(axis=(1, 2)) <= Tensions.LIMITS["entry"].most
@@ -284,7 +307,7 @@ class VariantRows:
         own: list[WrapArc],
         ends: tuple[Array, Array],
         index: int,
-        laws: tuple[list[FrictionLaw], LawBank],
+        laws: tuple[list[Fitted], LawBank],
     ) -> Arcs:
         """Return the arcs of a pulley in a load case."""
         known, bank = laws
@@ -299,7 +322,7 @@ class VariantRows:
             self._follow_thickness(drives, columns, index)
         if index > 0:
             self._follow_strain(drives, columns, ends[0])
-        law = np.array([known.index(arc.law) for arc in own])[self.which]
+        law = np.array([known.index(Fitted(arc.law, arc.fit)) for arc in own])[self.which]
         return Arcs(laws=bank, law=law, **columns)
 
     def _follow_thickness(self, drives: list[Drive], columns: dict[str, Array], index: int) -> None:

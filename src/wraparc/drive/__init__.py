@@ -25,7 +25,7 @@ from wraparc.drive.drive import (
     repeated,
 )
 from wraparc.drive.factors import ConditionFactor, Factors, FrictionFactor
-from wraparc.drive.fit import NORMAL_95, Fit, knots_of, with_peaks
+from wraparc.drive.fit import NORMAL_95, Fit, half_interval, knots_of, with_peaks
 from wraparc.drive.lagging import SURFACES, Cost, Lagging
 from wraparc.drive.load_case import DESIGN, LoadCase, Tensions
 from wraparc.drive.pulley import Pulley
@@ -70,6 +70,7 @@ __all__ = [
     "WidthProfile",
     "compression_modulus",
     "condition_problems",
+    "half_interval",
     "knots_of",
     "laggings_of",
     "repeated",

@@ -67,6 +67,9 @@ class Belt:
         Cover on the side of the pulley, and on the side that carries the load [m], or None.
     carcass
         Thickness of the carcass, or diameter of the cords [m], or None.
+    carcass_ends
+        Least and largest carcass published of belts of this name [m], where it is a usual one of
+        these, or None.
     thickness
         Of the whole belt [m], or None: what is not given of the layers follows from it.
     cover_shear_modulus
@@ -131,6 +134,7 @@ class Belt:
     modulus_test: str = ""
     modulus_loads: tuple[float, float] | None = None
     modulus_ends: tuple[float, float] | None = None
+    carcass_ends: tuple[float, float] | None = None
     uncertainty: Mapping[str, float] = field(default_factory=dict, hash=False)
     provenance: Provenance = field(default_factory=Provenance)
     sources: Mapping[str, Provenance] = field(default_factory=dict, hash=False)
@@ -182,6 +186,12 @@ class Belt:
             )
             remedy = "Leave one out." if thin else "Correct or omit it."
         return [Problem(message=message, remedy=remedy, key=key, value=display(value, "length"))]
+
+    @property
+    def is_uncertain(self) -> bool:
+        """Whether it is stated or published how far one of its numbers may be off."""
+        by_name = self.modulus_ends is not None or self.carcass_ends is not None
+        return by_name or len(self.uncertainty) > 0
 
     @property
     def cord(self) -> float | None:

@@ -93,7 +93,8 @@ def _as_thick(pulley: Pulley, thickness: float) -> Pulley:
 #: What a belt of the catalogue brings.
 BELT_KEYS = (
     "kind", "modulus", "modulus_test", "modulus_loads", "modulus_ends", "rating", "strength",
-    "least_pulley_diameter", "pulley_cover", "carry_cover", "carcass", "cord_pitch",
+    "least_pulley_diameter", "pulley_cover", "carry_cover", "carcass", "carcass_ends",
+    "cord_pitch",
 )  # fmt: skip
 
 

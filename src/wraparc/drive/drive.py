@@ -179,10 +179,10 @@ class Drive(Viewable):
 
     @property
     def states_uncertainty(self) -> bool:
-        """Whether it states how uncertain one of its numbers is."""
+        """Whether it states how uncertain one of its numbers is, or belts of its name do."""
         of_pulleys = any(p.uncertainty or p.lagging.uncertainty for p in self.pulleys)
         of_cases = any(of for case in self.load_cases for of in case.uncertainty.values())
-        return bool(self.belt.uncertainty) or of_pulleys or of_cases
+        return self.belt.is_uncertain or of_pulleys or of_cases
 
     @property
     def take_up_place(self) -> str:

@@ -17,6 +17,13 @@ from wraparc.schema.limits import Limit, limit_problems, raise_all
 
 #: Standard deviations to either side of a 95 % interval of the normal distribution [-].
 NORMAL_95 = 1.96
+
+
+def half_interval(sd: float) -> float:
+    """Return half of the 95 % interval of a standard deviation, 100 % at most [-]."""
+    return min(round(NORMAL_95 * sd, 4), 1.0)
+
+
 #: What of a knot is fitted.
 PEAKS = ("peak_slip", "peak_friction")
 _PARAMETER = re.compile(rf"knots\[([0-9]{{1,4}})\]\.({'|'.join(PEAKS)})")

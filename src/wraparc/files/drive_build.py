@@ -35,6 +35,8 @@ from wraparc.schema.uncertain import read_uncertainty
 
 _FROM_PATH = Provenance(note="from the coordinates of the pulleys")
 _PRESET_KEYS = ("name", *BELT_KEYS)
+#: Keys that tell the carcass of a belt, which then is no usual one of its name.
+_CARCASS_KEYS = {"carcass", "thickness", "cord_diameter"}
 _MODULUS_KEYS = ("modulus_test", "modulus_loads", "modulus_ends")
 # Keys of a lagging that hold numbers.
 _NUMBERS = {e.key for e in LAGGING_GIVEN.entries} - {
@@ -63,6 +65,7 @@ def build_belt(record: Record, report: Report) -> Belt | None:
         if "modulus" in record:  # how that of the maker was measured says nothing of it
             more = {key: value for key, value in more.items() if key not in _MODULUS_KEYS}
         published = belt_sources(named)
+        more["carcass_ends"] = None if _CARCASS_KEYS & {*record} else named.carcass_ends
         if "thickness" in record or "cord_diameter" in record:  # the carcass follows from them
             more, published = {**more, "carcass": None}, _without(published, "carcass")
         mass = _preset_mass(record, named)

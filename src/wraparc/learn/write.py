@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass, replace
 from typing import Any
 
-from wraparc.drive import ConditionFactor, Drive, Lagging
+from wraparc.drive import ConditionFactor, Drive, Lagging, half_interval
 from wraparc.files.drive_keys import DRIVE
 from wraparc.files.write import drive_document
 from wraparc.learn.grid import moment_of
@@ -17,6 +17,7 @@ from wraparc.schema.kinds import Name, Percent, Quantity, Rows, Text
 from wraparc.schema.overrides import read_document
 from wraparc.schema.source import Document, read_tables
 from wraparc.schema.tables import Entry, Record, Table, need
+from wraparc.schema.uncertain import UNCERTAINTY
 
 #: Half an interval of friction above which no factor is written [-]; hours of an episode that the
 #: wet factor is taken from.
@@ -82,6 +83,7 @@ def learned_text(learned: Learned) -> str:
     document["pulley"] = rows
     if "lagging" in made:
         document["lagging"] = {**document.get("lagging", {}), **made["lagging"]}
+    _state_errors(document, learned)
     document["learned"] = _table(learned)
     return document_text(document, DRIVE)
 
@@ -98,9 +100,14 @@ def _lagging(learned: Learned, own: LearnedPulley, lagging: Lagging) -> Lagging:
     if deep and lagging.condition != "wet":
         wet = replace(source, note=f"deepest of {len(deep)} wet or dirty episodes")
         factors["wet"] = ConditionFactor(factor=round(1.0 + min(deep), 3), source=wet)
-    f = own.friction
+    f, uncertain = own.friction, dict(lagging.uncertainty)
     if f is None or 0.5 * math.log(f.high / f.low) > MOST_WIDTH:
         return replace(lagging, condition_factors=factors)
+    errors = learned.plan.errors.stated
+    for error, key in (("peak_slip", "slip"), ("lagging_shear", "shear_modulus")):
+        if error in errors:
+            uncertain.setdefault(key, half_interval(errors[error]))
+    uncertain["friction"] = round(max(f.high / f.value - 1.0, 1.0 - f.low / f.value), 4)
     note = f"friction {f.value:.3g} ({f.low:.3g} to {f.high:.3g}, 95 %) of {lagging.name}"
     kept = {
         part: lagging.source_of(part)
@@ -115,8 +122,41 @@ def _lagging(learned: Learned, own: LearnedPulley, lagging: Lagging) -> Lagging:
         condition_factors=factors,
         provenance=replace(source, note=note),
         sources=kept,
+        uncertainty=uncertain,
         fit=None,
     )
+
+
+def _state_errors(document: Document, learned: Learned) -> None:
+    """State the errors of a log as uncertainties, those that are of numbers of the drive.
+
+    The modulus of the belt, and the tension at the take-up; what the drive file states stays.
+    """
+    errors, drive = learned.plan.errors.stated, learned.plan.drive
+    if "belt_modulus" in errors:
+        document["belt"] = _uncertain(document["belt"], "modulus", errors["belt_modulus"])
+    if "exit_tension" not in errors:
+        return
+    case = drive.load_case()
+    driving = math.fsum(at.effective for at in case.tensions.values()) > 0.0
+    place, end = ("last", "exit_tension") if driving else ("first", "entry_tension")
+    for table, key in (("conveyor", "take_up_tension"), ("train", end)):
+        if table in document:
+            weighed = "counterweight" in document[table]
+            name = "counterweight" if table == "conveyor" and weighed else key
+            document[table] = _uncertain(document[table], name, errors["exit_tension"])
+            return
+    index = -1 if place == "last" else 0
+    rows = [dict(row) for row in document["pulley"]]
+    rows[index] = _uncertain(rows[index], end, errors["exit_tension"])
+    document["pulley"] = rows
+
+
+def _uncertain(table: Document, key: str, sd: float) -> Document:
+    """Return a table with the uncertainty of a number, unless it has one."""
+    stated = dict(table.get(UNCERTAINTY, {}))
+    stated.setdefault(key, f"{100.0 * half_interval(sd):.3g} %")
+    return {**table, UNCERTAINTY: stated}
 
 
 def _source(learned: Learned) -> Provenance:

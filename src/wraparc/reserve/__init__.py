@@ -12,9 +12,10 @@ from wraparc.reserve.find import Flip, Reserve, find_reserve, nearest_flips, sta
 from wraparc.reserve.inputs import Input, change_drive
 from wraparc.reserve.of_table import find_reserves
 from wraparc.reserve.probability import Probability, find_probability
-from wraparc.reserve.uncertainty import STATED, Uncertainty, uncertainty_of
+from wraparc.reserve.uncertainty import COUNTED, STATED, Uncertainty, uncertainty_of
 
 __all__ = [
+    "COUNTED",
     "STATED",
     "Flip",
     "Input",

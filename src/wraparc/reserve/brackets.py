@@ -18,8 +18,7 @@ from wraparc.arrays import Array, Flags, Integers
 from wraparc.batch import Setting
 from wraparc.checks.check import Level
 from wraparc.checks.of_arc import GROSS_SLIP
-from wraparc.checks.of_rows import OF_ROWS
-from wraparc.reserve.levels import FACTORS, FAR, IMPOSSIBLE, RULES, LevelRows, Levels
+from wraparc.reserve.levels import FACTORS, FAR, IMPOSSIBLE, JUDGED, RULES, LevelRows, Levels
 
 #: Places of the points of a side: of `_STEPS` equal steps from the input as it is to its end.
 GRID, _STEPS = (0, 1, 2, 4, 7, 11, 16, 22, 27, 33), 33
@@ -295,7 +294,7 @@ def _turns(strips: Strips, now: int, levels: LevelRows) -> Flags:
     """Return the steps beside which a margin turns so near to 0 that it may have another sign."""
     ranks, margins = strips.grid(strips.levels.ranks), strips.grid(strips.levels.margins)
     found = np.zeros((len(strips.which), strips.factors.shape[1] - 1), dtype=bool)
-    for check, rule in enumerate(OF_ROWS):
+    for check, rule in enumerate(JUDGED):
         finite = np.isfinite(margins[check])
         if not finite.any():
             continue

@@ -11,13 +11,12 @@ from wraparc.arc.wrap_arc import WrapArc
 from wraparc.arrays import Integers
 from wraparc.batch import Setting
 from wraparc.checks.of_arc import GROSS_SLIP, grip
-from wraparc.checks.of_rows import OF_ROWS, SOLVE_ANEW
 from wraparc.checks.rule import Rule
 from wraparc.checks.rules import spot_of
 from wraparc.errors import InputError
 from wraparc.reserve.brackets import OF_CHANGE, WIDTH, Brackets
 from wraparc.reserve.inputs import Input, change_drive
-from wraparc.reserve.levels import FACTORS, IMPOSSIBLE, LevelRows
+from wraparc.reserve.levels import ANEW, FACTORS, IMPOSSIBLE, JUDGED, LevelRows
 
 #: Margin up to which a check of rows is made of one arc: a hundred times what rows may be off [-].
 _NEAR = 100.0 * Setting.PRECISE.accuracy
@@ -44,7 +43,7 @@ def _agrees(levels: LevelRows, step: Brackets, now: int) -> bool:
     changed = levels.inputs[int(step.which[0])]
     for check, place in _decisive(step, now):
         for factor, found in ((step.near, step.at_near), (step.far, step.at_far)):
-            rule, margin = OF_ROWS[check], found.margins[check, place, 0]
+            rule, margin = JUDGED[check], found.margins[check, place, 0]
             if _NEAR < abs(margin) < np.inf:
                 continue
             rank = _rank_of(levels, changed, float(factor[0]), rule, place)
@@ -59,8 +58,8 @@ def _decisive(step: Brackets, now: int) -> Iterator[tuple[int, int]]:
     rank = int(step.at_far.rank[0])
     changes = (far == rank) & (near < rank) if rank > now else (near > rank) & (far <= rank)
     for check, place in zip(*np.nonzero(changes), strict=True):
-        rule = OF_ROWS[int(check)]
-        if rule.result or rule in SOLVE_ANEW:
+        rule = JUDGED[int(check)]
+        if rule.result or rule in ANEW:
             yield int(check), int(place)
 
 

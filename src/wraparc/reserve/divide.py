@@ -11,9 +11,8 @@ import numpy as np
 from wraparc.arrays import Array, Integers
 from wraparc.batch import Setting
 from wraparc.checks.check import Level
-from wraparc.checks.of_rows import OF_ROWS
 from wraparc.reserve.brackets import OF_CHANGE, WIDTH, Brackets, Strips
-from wraparc.reserve.levels import LevelRows, Levels
+from wraparc.reserve.levels import JUDGED, LevelRows, Levels
 
 #: Least width, below which numbers of the solver end [-].
 _LEAST = 1e-7
@@ -23,7 +22,7 @@ _NEWTON = 3
 _ABOUT = (-14.0, -6.0, -3.15, -2.25, -1.35, -0.45, 0.45, 1.35, 2.25, 3.15, 6.0, 14.0)
 _THIRDS = 1.0 / 3.0, 2.0 / 3.0
 #: Sign of the share of a limit in its margin, by check: minus where the value is at most the limit.
-_SIGN = np.array([-1.0 if rule.at_most else 1.0 for rule in OF_ROWS])[:, None, None]
+_SIGN = np.array([-1.0 if rule.at_most else 1.0 for rule in JUDGED])[:, None, None]
 
 
 def divide(levels: LevelRows, brackets: Brackets, now: int) -> Brackets:

@@ -11,7 +11,7 @@ from wraparc.arc import Distributed
 from wraparc.arrays import Array, Integers
 from wraparc.checks.check import Level
 from wraparc.checks.judge import judge
-from wraparc.checks.of_arc import GROSS_SLIP
+from wraparc.checks.of_arc import CREEP_INTERVAL, GROSS_SLIP
 from wraparc.checks.of_rows import RowCheck, used_of_rows
 from wraparc.checks.variant_rows import DESCRIBED, JudgedRows, VariantArcs, VariantRows
 from wraparc.drive import Drive
@@ -61,7 +61,9 @@ class DrawLevels(LevelRows):
             result = solved(self._all_changed(factors), Distributed(capacities=False))
         except InputError:
             return IMPOSSIBLE
-        return max(judge(result).level.rank, self._constant)
+        # friction is drawn from its interval: the end of it is no limit of a draw
+        checks = (c for c in judge(result).checks if c.name != CREEP_INTERVAL.name)
+        return max([c.level.rank for c in checks] + [self._constant, Level.OK.rank])
 
     def _solved_draws(
         self, draws: Array, which: Integers, arcs: VariantArcs, ranks: Integers

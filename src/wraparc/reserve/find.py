@@ -201,15 +201,13 @@ def nearest_flips(flips: Sequence[Flip], now: Level, count: int) -> tuple[Flip, 
 def find_reason(result: Whole) -> str:
     """Return why no reserve is sought; empty where one is.
 
-    Rows know no strips of an uneven pulley, and no interval of a fitted law; those of a friction
-    that is there without slip or shear are solved one by one.
+    Rows know no strips of an uneven pulley; those of a friction that is there without slip or shear
+    are solved one by one.
     """
     if judge(result).level is Level.FAULT:
         return "no solution"
     if any(pulley.across is not None for pulley in by_pulley(result).drive.pulleys):
         return "pulley uneven across its width"
-    if any(check.name == "creep_interval" for check in judge(result).listed):
-        return "creep limited by a fit interval"
     if isinstance(result, TrainResult) and not all(case.status.solved for case in result):
         return "load of the drives not divided"
     if any(_is_rigid(arc.arc) for arc in by_pulley(result)):

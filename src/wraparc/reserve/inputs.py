@@ -5,16 +5,23 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from math import inf
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from wraparc.checks.variant_rows import FRICTION, SLIP
-from wraparc.drive import Drive, Lagging, LoadCase, Pulley, Tensions
+from wraparc.conveyor import Conveyor, State, course_state, standard_cases
+from wraparc.drive import Belt, Drive, Lagging, LoadCase, Pulley, Tensions
 from wraparc.drive.pull import idles
+from wraparc.files.conveyor_build import conveyor_of, load_case
+from wraparc.schema.limits import raise_all
 
 #: Inputs that are no column of arcs: effective tension with T2 fixed, and T2 with that fixed.
 PULL, SLACK = "effective_tension", "slack_tension"
 MODULUS, DIAMETER, WRAP = "belt_modulus", "diameter", "wrap_angle"
 SHEAR, COMPRESSION, THICKNESS = "shear_modulus", "compression_modulus", "lagging_thickness"
+#: Those of a belt by its standard name, and of a conveyor that gives the tensions.
+CARCASS, TAKE_UP_PLACE, START = "carcass", "take_up_distance", "start_factor"
+#: Inputs that neither a column nor a shift of all tensions follows: each value is a drive.
+OF_DRIVES = (CARCASS, TAKE_UP_PLACE, START)
 #: Those of a lagging: one number wherever it is, and those of a pulley.
 OF_LAGGING, OF_PULLEY = (FRICTION, SLIP, SHEAR, COMPRESSION), (THICKNESS, DIAMETER, WRAP)
 
@@ -52,7 +59,18 @@ def inputs_of(drive: Drive) -> tuple[Input, ...]:
     pulls = any(
         not idles(at.entry, at.exit) for case in drive.load_cases for at in case.tensions.values()
     )
-    return (*found, *([Input(PULL)] if pulls else []), Input(SLACK))
+    found += [Input(CARCASS)] if drive.belt.carcass_ends is not None else []
+    found += [Input(PULL)] if pulls else []
+    return (*found, Input(SLACK), *_of_conveyor(drive))
+
+
+def _of_conveyor(drive: Drive) -> Iterator[Input]:
+    """Yield the inputs of the conveyor from whose resistances the tensions are."""
+    conveyor = conveyor_of(drive)
+    if conveyor is not None and conveyor.take_up_distance > 0.0:
+        yield Input(TAKE_UP_PLACE)
+    if conveyor is not None and conveyor.start_factor is not None:
+        yield Input(START)
 
 
 def _grouped(name: str, drive: Drive, label: Callable[[Pulley], str]) -> Iterator[Input]:
@@ -95,9 +113,13 @@ def change_drive(drive: Drive, changed: Input, factor: float) -> Drive:
     InputError
         If there is no such drive.
     """
-    name = changed.name
+    name, belt = changed.name, drive.belt
     if name == MODULUS:
-        return replace(drive, belt=replace(drive.belt, modulus=drive.belt.modulus * factor))
+        return replace(drive, belt=replace(belt, modulus=belt.modulus * factor))
+    if name == CARCASS:
+        return replace(drive, belt=_with_carcass(belt, factor))
+    if name in (TAKE_UP_PLACE, START):
+        return _with_conveyor(drive, name, factor)
     if name == PULL:
         return _with_tensions(drive, lambda slack, at: slack + factor * (at - slack))
     if name == SLACK:
@@ -108,6 +130,34 @@ def change_drive(drive: Drive, changed: Input, factor: float) -> Drive:
         for pulley in drive.pulleys
     )
     return replace(drive, pulleys=tuple(pulleys))
+
+
+def _with_carcass(belt: Belt, factor: float) -> Belt:
+    return belt if belt.carcass is None else replace(belt, carcass=belt.carcass * factor)
+
+
+def _with_conveyor(drive: Drive, name: str, factor: float) -> Drive:
+    """Return a drive whose tensions are those of its conveyor with another number."""
+    conveyor, (pulley,) = drive.conveyor, drive.pulleys
+    if conveyor is None:
+        return drive
+    ratio = drive.criteria.take_up.sheave_ratio
+    more: dict[str, Any] = {name: factor * getattr(conveyor, name)}
+    made = replace(conveyor, speed=drive.belt.speed, sheave_ratio=ratio, **more)
+    states = _starts(made, drive) if name == START else made.states()
+    cases = {state.name: load_case(state, pulley.name, {}) for state in states}
+    changed = tuple(cases.get(case.name, case) for case in drive.load_cases)
+    return replace(drive, conveyor=made, load_cases=changed)
+
+
+def _starts(conveyor: Conveyor, drive: Drive) -> list[State]:
+    """Return the load cases that a start factor is of: the others stay as they are."""
+    full = drive.load_case("full").tensions[drive.pulleys[0].name].effective
+    starts = [case for case in standard_cases(conveyor) if case.kind == "starting"]
+    states = [course_state(conveyor, case, full) for case in starts]
+    problems = [state.slack_problem() for state in states]
+    raise_all([problem for problem in problems if problem is not None])
+    return states
 
 
 def lift_of(drive: Drive, factor: float) -> float:

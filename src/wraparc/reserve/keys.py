@@ -12,12 +12,15 @@ from wraparc.checks.action import Change
 from wraparc.drive import Drive, Tensions
 from wraparc.errors import InputError
 from wraparc.reserve.inputs import (
+    CARCASS,
     COMPRESSION,
     DIAMETER,
     MODULUS,
     PULL,
     SHEAR,
     SLACK,
+    START,
+    TAKE_UP_PLACE,
     THICKNESS,
     WRAP,
     Input,
@@ -37,6 +40,7 @@ _OF_LAGGING = {
     SHEAR: ("shear_modulus", "Pa"),
     COMPRESSION: ("compression_modulus", "Pa"),
 }
+_OF_CONVEYOR = {TAKE_UP_PLACE: "m", START: None}
 _ENDS = {"entry_tension": "entry", "exit_tension": "exit"}
 #: Loads that are multiples of the effective tension, with their dimensions and units.
 _LOADS: Mapping[str, tuple[Dimension, str]] = {
@@ -93,6 +97,12 @@ class ReserveKeys:
         if of.name == MODULUS:
             modulus = self.drive.belt.modulus
             yield Change("belt.modulus", modulus, modulus * factor, "N/m")
+        elif of.name == CARCASS and self.drive.belt.carcass is not None:
+            carcass = self.drive.belt.carcass
+            yield Change("belt.carcass", carcass, carcass * factor, "m")
+        elif of.name in _OF_CONVEYOR and self.drive.conveyor is not None:
+            now = float(getattr(self.drive.conveyor, of.name))
+            yield Change(f"conveyor.{of.name}", now, now * factor, _OF_CONVEYOR[of.name])
         elif of.name == SLACK:
             yield from source.changes(Variant(tension=source.take_up * factor))
         elif of.name == PULL:
@@ -159,7 +169,7 @@ def _end(of: Tensions, end: str) -> float:
 
 def _numbers(drive: Drive) -> Iterator[float]:
     """Yield what the changes of inputs make another."""
-    yield drive.belt.modulus
+    yield from (drive.belt.modulus, drive.belt.carcass or 0.0)
     for pulley in drive.pulleys:
         yield from (pulley.diameter, pulley.wrap_angle)
         for lagging in (pulley.lagging, *pulley.conditions):

@@ -14,7 +14,7 @@ from wraparc.arrays import Array, Flags, Integers
 from wraparc.batch import Setting
 from wraparc.checks.check import Check, Level, Place, margin_to
 from wraparc.checks.judge import judge
-from wraparc.checks.of_arc import EXIT_CREEP, GROSS_SLIP
+from wraparc.checks.of_arc import CREEP_INTERVAL, EXIT_CREEP, GROSS_SLIP
 from wraparc.checks.of_drive import meeting, take_up
 from wraparc.checks.of_rows import OF_ROWS, SOLVE_ANEW, Wanted
 from wraparc.checks.of_wet import WET_CREEP
@@ -23,7 +23,7 @@ from wraparc.checks.usual import least_margin
 from wraparc.checks.variant_rows import DESCRIBED, KNOWN, JudgedRows, VariantArcs, VariantRows
 from wraparc.drive import Drive, LoadCase
 from wraparc.errors import InputError
-from wraparc.reserve.inputs import PULL, SLACK, Input, change_drive, lift_of
+from wraparc.reserve.inputs import CARCASS, OF_DRIVES, PULL, SLACK, Input, change_drive, lift_of
 from wraparc.train import Pulls, TrainResult
 from wraparc.train.whole import Whole, by_pulley, solved
 
@@ -35,8 +35,11 @@ TENSION_CHECKS = frozenset({"take_up", "meeting"})
 FACTORS = (0.5, 2.0)
 #: Margin of a check from which on it stays the same between rows that are close together [-].
 FAR = 0.1
-RULES = {rule.name: place for place, rule in enumerate(OF_ROWS)}
-_OF_SOLVED = [place for place, rule in enumerate(OF_ROWS) if rule not in DESCRIBED]
+#: The checks of a verdict, those of rows and of the interval of fitted laws; of them those that
+#: solve arcs anew.
+JUDGED, ANEW = (*OF_ROWS, CREEP_INTERVAL), (*SOLVE_ANEW, CREEP_INTERVAL)
+RULES = {rule.name: place for place, rule in enumerate(JUDGED)}
+_OF_SOLVED = [place for place, rule in enumerate(JUDGED) if rule not in DESCRIBED]
 
 
 class Levels(NamedTuple):
@@ -47,7 +50,7 @@ class Levels(NamedTuple):
     rank
         Of the level of the whole verdict, `UNKNOWN` or `IMPOSSIBLE`, shape (n,).
     ranks, margins
-        Of every check (`OF_ROWS`) at every place, and how far its value is from the limit, over it:
+        Of every check (`JUDGED`) at every place, and how far its value is from the limit, over it:
         positive where it passes; infinite where nothing is compared; shape (checks, places, n).
     others
         Rank of the level of what rows do not check, shape (n,).
@@ -106,12 +109,13 @@ class LevelRows:
         self, drive: Drive, inputs: tuple[Input, ...], constant: int, *, meets: bool
     ) -> None:
         self.drive, self.inputs, self._constant, self._meets = drive, inputs, constant, meets
+        self._drives: dict[tuple[Input, float], Drive | None] = {}
         self._now = self._described(drive)
         self._varies = [self._varies_with(of) for of in inputs]
         #: Pulley and load case of every place, by name.
         self.places = tuple((p.name, c.name) for c in drive.load_cases for p in drive.pulleys)
         #: Margin of every check at every place beyond which a drive fails, nan where none is known.
-        self.fails_at = np.full((len(OF_ROWS), len(self.places)), nan)
+        self.fails_at = np.full((len(JUDGED), len(self.places)), nan)
 
     def __call__(
         self,
@@ -123,21 +127,26 @@ class LevelRows:
         """Return the levels with factors on inputs, by their places, shape (n,) each.
 
         Where `ends` has a lower and a higher factor of each row, a check that solves arcs anew is
-        not made again where it is the same at both, and by far; nothing is solved where no check
-        of what is solved changes between them.
+        not made again where it is the same at both, and by far, and no arc of a place is solved
+        where all checks of it are; nothing is where no check of what is solved changes.
         """
-        if ends is not None and self.are_described(*ends).all():
-            return self._describe(which, factors, ends[0])
-        same = {} if ends is None else _constant_checks(*ends, self.fails_at)
-        wanted = {rule: ~flags for rule, flags in same.items()}
-        found = self._solve(which, factors, setting, wanted)[0]
         if ends is None:
-            return found
+            return self._solve(which, factors, setting, {})[0]
+        if self.are_described(*ends).all():
+            return self._describe(which, factors, ends[0])
+        near, same = ends[0], _constant_checks(*ends, self.fails_at)
+        every = [flags.all(axis=1) for flags in same.values()]
+        closed = np.logical_and.reduce(every)
+        open_ = np.flatnonzero(~closed)
+        wanted = {rule: ~same[rule][open_] for rule in ANEW}
+        solved, _, judged = self._solve(which, factors, setting, wanted, open_)
+        found = self._describe(which, factors, near)
         for rule, flags in same.items():
-            place, near = RULES[rule.name], ends[0]
-            found.ranks[place][flags] = near.ranks[place][flags]
-            found.margins[place][flags] = near.margins[place][flags]
-        return Levels.of(*found[1:], found.rank > IMPOSSIBLE)
+            place, anew = RULES[rule.name], ~flags
+            anew[closed] = False
+            found.ranks[place][anew] = solved.ranks[place][anew]
+            found.margins[place][anew] = solved.margins[place][anew]
+        return Levels.of(*found[1:], (found.rank > IMPOSSIBLE) & judged.possible)
 
     @staticmethod
     def are_described(near: Levels, far: Levels) -> Flags:
@@ -175,21 +184,35 @@ class LevelRows:
         return found, slide
 
     def _solve(
-        self, which: Integers, factors: Array, setting: Setting, wanted: Wanted
+        self,
+        which: Integers,
+        factors: Array,
+        setting: Setting,
+        wanted: Wanted,
+        places: Integers | None = None,
     ) -> tuple[Levels, VariantArcs, JudgedRows]:
+        """Return levels by arcs of some places, all unless given, with the arcs and their checks.
+
+        Of the others nothing is compared.
+        """
         margins, others = self._described_rows(which, factors)
         arcs = self._variants(which, factors, margins).arcs()
-        judged = arcs.judge(setting, OF_ROWS, wanted)
-        shape = (len(OF_ROWS), len(self.places), len(which))
+        if places is None:
+            places = np.arange(len(self.places))
+        else:
+            arcs = arcs.at_places(places)
+        judged = arcs.judge(setting, JUDGED, wanted)
+        shape = (len(JUDGED), len(self.places), len(which))
         ranks, margins = np.zeros(shape, dtype=np.int64), np.full(shape, inf)
         for check in judged.checks:
             place = RULES[check.rule.name]
-            ranks[place] = judged.by_place(check.rank)
-            margins[place] = judged.by_place(check.margin)
+            ranks[place][places] = judged.by_place(check.rank)
+            margins[place][places] = judged.by_place(check.margin)
             limit: Array = judged.by_place(check.limit)[:, 0]
             beyond = np.full(len(limit), check.rule.fails_beyond)
             with np.errstate(invalid="ignore", divide="ignore"):
-                self.fails_at[place] = margin_to(beyond, limit, at_most=check.rule.at_most)
+                ends = margin_to(beyond, limit, at_most=check.rule.at_most)
+                self.fails_at[place][places] = ends
         _miss_wet(ranks, margins)
         possible = judged.possible & (others > IMPOSSIBLE)
         others = np.maximum(others, self._constant)
@@ -222,6 +245,8 @@ class LevelRows:
         """Return the rows of changes."""
         n, names = len(which), [p.name for p in self.drive.pulleys]
         lift, pull, columns = np.zeros(n), np.ones(n), dict[str, Array]()
+        drives, of_row = [self.drive], np.zeros(n, dtype=np.int64)
+        ends: dict[str, Array] = {}
         for place, of in enumerate(self.inputs):
             rows = np.flatnonzero(which == place)
             if not len(rows):
@@ -230,15 +255,26 @@ class LevelRows:
                 lift[rows] = (factors[rows] - 1.0) * lift_of(self.drive, 2.0)
             elif of.name == PULL:
                 pull[rows] = factors[rows]
+            elif of.name in OF_DRIVES:
+                for row in rows.tolist():
+                    changed = self._changed_drive(of, float(factors[row])) or self.drive
+                    if of.name == CARCASS:
+                        of_row[row] = len(drives)
+                        drives.append(changed)
+                        continue
+                    for case in changed.load_cases:
+                        at = [case.tensions[name] for name in names]
+                        shape = 2, len(names), n
+                        tensions = ends.setdefault(case.name, np.full(shape, nan))
+                        tensions[..., row] = [t.entry for t in at], [t.exit for t in at]
             else:
                 column = columns.setdefault(of.name, np.ones((len(names), n)))
                 for index in [names.index(name) for name in of.pulleys or names]:
                     column[index, rows] = factors[rows]
-        zeros = np.zeros(n, dtype=np.int64)
-        drives = (self.drive,)
         return VariantRows(
-            drives=drives, which=zeros, lift=lift, pull=pull, factors=columns, odd=odd
-        )
+            drives=drives, which=of_row, lift=lift, pull=pull, tensions=ends,
+            factors=columns, odd=odd,
+        )  # fmt: skip
 
     def _described_rows(self, which: Integers, factors: Array) -> tuple[Array, Integers]:
         """Return least margins of implausible sizes, and ranks of what tensions alone miss.
@@ -261,10 +297,18 @@ class LevelRows:
         return any(end is None or end != self._now for end in ends) or self._now[1] > Level.OK.rank
 
     def _changed(self, of: Input, factor: float) -> tuple[float, int] | None:
-        try:
-            return self._described(change_drive(self.drive, of, factor))
-        except InputError:
-            return None
+        drive = self._changed_drive(of, factor)
+        return None if drive is None else self._described(drive)
+
+    def _changed_drive(self, of: Input, factor: float) -> Drive | None:
+        """Return the drive with a factor on an input; None where there is none."""
+        key = of, factor
+        if key not in self._drives:
+            try:
+                self._drives[key] = change_drive(self.drive, of, factor)
+            except InputError:
+                self._drives[key] = None
+        return self._drives[key]
 
     def _described(self, drive: Drive) -> tuple[float, int]:
         """Return the least margin of implausible sizes, and the rank of what tensions miss."""
@@ -288,19 +332,18 @@ def _miss_wet(ranks: Integers, margins: Array) -> None:
 
 
 def _constant_checks(near: Levels, far: Levels, fails_at: Array) -> dict[Rule, Flags]:
-    """Return where checks that solve arcs anew are the same at both ends of rows, and by far.
+    """Return where checks of what is solved are the same at both ends of rows, and by far.
 
     Shape (places, n): far from the limit, and from where a drive fails.
     """
     found = {}
-    for rule in SOLVE_ANEW:
-        place = RULES[rule.name]
+    for place in _OF_SOLVED:
         same = near.ranks[place] == far.ranks[place]
         ends = near.margins[place], far.margins[place]
         for limit in (0.0, np.nan_to_num(fails_at[place])[:, None]):
             above, below = ((of > limit + FAR for of in ends), (of < limit - FAR for of in ends))
             same &= np.logical_and(*above) | np.logical_and(*below)
-        found[rule] = same & (np.isinf(ends[0]) == np.isinf(ends[1]))
+        found[JUDGED[place]] = same & (np.isinf(ends[0]) == np.isinf(ends[1]))
     return found
 
 
@@ -322,6 +365,6 @@ def constant_rank(result: Whole) -> tuple[int, bool]:
     meets = isinstance(result, TrainResult) and all(
         isinstance(case.division, Pulls) for case in result.train.cases
     )
-    made = KNOWN | (TENSION_CHECKS if meets else {"take_up"})
+    made = {*KNOWN, CREEP_INTERVAL.name} | (TENSION_CHECKS if meets else {"take_up"})
     missed = [c.level.rank for c in judge(result).checks if c.missed and c.name not in made]
     return max(missed, default=Level.OK.rank), meets

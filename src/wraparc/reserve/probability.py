@@ -15,7 +15,7 @@ from wraparc.drive import NORMAL_95
 from wraparc.errors import InputError
 from wraparc.reserve.draws import DrawLevels, draw_levels
 from wraparc.reserve.find import changed_inputs, find_reason
-from wraparc.reserve.inputs import Input
+from wraparc.reserve.inputs import OF_DRIVES, Input
 from wraparc.reserve.sobol import shifted_points
 from wraparc.reserve.uncertainty import Uncertainty, uncertainty_of
 from wraparc.train.whole import Whole, by_pulley
@@ -84,7 +84,7 @@ def _find(result: Whole) -> Probability:
 
 def drawn_levels(result: Whole) -> DrawLevels:
     """Return the levels of a drive by the inputs that are drawn, each number once."""
-    inputs = changed_inputs(result)
+    inputs = tuple(of for of in changed_inputs(result) if of.name not in OF_DRIVES)
     single = {of.name for of in inputs if of.label}
     return draw_levels(result, tuple(of for of in inputs if of.label or of.name not in single))
 

@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from math import expm1, sqrt
 from typing import NamedTuple
 
+from wraparc.arc.interval import felt_knots
+from wraparc.arc.wrap_arc import WrapArc
 from wraparc.catalogue.belt_modulus import STATIC, find_ratio
 from wraparc.checks.rule import origin
 from wraparc.checks.variant_rows import FRICTION, SLIP
-from wraparc.drive import Belt, Drive, Pulley
+from wraparc.drive import Belt, Drive, Pulley, knots_of
 from wraparc.reserve.inputs import (
+    CARCASS,
     COMPRESSION,
     DIAMETER,
     MODULUS,
@@ -17,13 +21,18 @@ from wraparc.reserve.inputs import (
     PULL,
     SHEAR,
     SLACK,
+    START,
+    TAKE_UP_PLACE,
     THICKNESS,
     WRAP,
     Input,
 )
 
-#: Kinds of an uncertainty: of the drive file, with a source, and without one.
-STATED, USUAL, ASSUMED = "stated", "usual", "assumed"
+#: Kinds of an uncertainty: of the drive file, of what is published of a standard belt, of a fit,
+#: with a source, and without one.
+STATED, PUBLISHED, FIT, USUAL, ASSUMED = "stated", "published", "fit", "usual", "assumed"
+#: Those that count in the level of a verdict; that of a fit does by a check of its own.
+COUNTED = (STATED, PUBLISHED)
 #: Least uncertainty that changes are told in: of what is exact, every change is far [-].
 _LEAST = 1e-9
 
@@ -36,7 +45,7 @@ class Uncertainty(NamedTuple):
     value
         Of the input [-].
     kind
-        `STATED`, `USUAL` or `ASSUMED`.
+        `STATED`, `PUBLISHED`, `FIT`, `USUAL` or `ASSUMED`.
     source
         Where it came from; empty where it is assumed.
     lower
@@ -75,6 +84,8 @@ UNCERTAINTIES = {
     WRAP: Uncertainty(0.02),
     PULL: Uncertainty(0.3, USUAL, "f from 0.016 to 0.030 (DIN 22101:2002-08, 6.2.3; ISO 5048)"),
     SLACK: Uncertainty(0.05),
+    TAKE_UP_PLACE: Uncertainty(0.02),
+    START: Uncertainty(0.1),
 }
 #: Of the modulus of a belt by its carcass; what is not known is taken as fabric.
 MODULI = {
@@ -89,7 +100,7 @@ MODULI = {
 _KEYS = {
     FRICTION: "friction", SLIP: "slip", SHEAR: "shear_modulus",
     COMPRESSION: "compression_modulus", THICKNESS: "thickness", DIAMETER: "diameter",
-    WRAP: "wrap_angle", MODULUS: "modulus",
+    WRAP: "wrap_angle", MODULUS: "modulus", CARCASS: "carcass",
 }  # fmt: skip
 _PULL, _ENTRY, _EXIT = "effective_tension", "entry_tension", "exit_tension"
 
@@ -99,15 +110,63 @@ def uncertainty_of(drive: Drive, of: Input) -> Uncertainty:
     stated = _stated(drive, of)
     if stated is not None:
         return Uncertainty(stated, STATED, "drive file")
+    known = _published(drive.belt, of.name) or _of_fit(drive, of)
+    if known is not None:
+        return known
     return _of_modulus(drive.belt) if of.name == MODULUS else UNCERTAINTIES[of.name]
+
+
+def _published(belt: Belt, name: str) -> Uncertainty | None:
+    """Return what is published of belts of a standard name; None of a number of one's own."""
+    known = {
+        MODULUS: (belt.modulus, belt.modulus_ends),
+        CARCASS: (belt.carcass, belt.carcass_ends),
+    }
+    value, ends = known.get(name, (None, None))
+    if value is None or ends is None:
+        return None
+    lower, upper = (abs(end / value - 1.0) for end in ends)
+    return Uncertainty(upper, PUBLISHED, origin(belt.source_of(_KEYS[name])), lower=lower)
+
+
+def _of_fit(drive: Drive, of: Input) -> Uncertainty | None:
+    """Return the 95 % interval of friction or slips by the fits of laws; None without fits.
+
+    The widest of the peaks that the pressures of its arcs feel; of pulleys that change together
+    the least.
+    """
+    if of.name not in (FRICTION, SLIP):
+        return None
+    quantity = "peak_friction" if of.name == FRICTION else "peak_slip"
+    pulleys = [pulley for pulley in drive.pulleys if pulley.name in of.pulleys]
+    found = [_spread_at(drive, pulley, quantity) for pulley in pulleys]
+    if not found or min(found) == 0.0:
+        return None
+    widest, name = min(found), pulleys[found.index(min(found))].lagging.name
+    return Uncertainty(
+        expm1(widest), FIT, f"95 % interval of the law of lagging {name}", lower=-expm1(-widest)
+    )
+
+
+def _spread_at(drive: Drive, pulley: Pulley, quantity: str) -> float:
+    """Return the logarithm of the interval of a peak at a pulley [-], 0 where no fit has one."""
+    widest = 0.0
+    for case in drive.load_cases:
+        arc = WrapArc.of(drive, pulley, case)
+        fit, knots = arc.fit, knots_of(arc.law)
+        if fit is None or knots is None:
+            continue
+        first, last = felt_knots(arc, knots)
+        for i, (place, of) in enumerate(fit.knots):
+            if of == quantity and first <= place <= last:
+                variance = max(float(fit.log_covariance[i, i]), 0.0)
+                widest = max(widest, fit.coverage_factor * sqrt(variance))
+    return widest
 
 
 def _of_modulus(belt: Belt) -> Uncertainty:
     """Return the usual uncertainty of a modulus; a static one is less than what the pulley sees."""
     usual = MODULI.get(belt.kind, MODULI["fabric"])
-    if belt.modulus_ends is not None:  # of a standard name: what makers publish of such belts
-        lower, upper = (abs(end / belt.modulus - 1.0) for end in belt.modulus_ends)
-        return Uncertainty(upper, USUAL, origin(belt.source_of("modulus")), lower=lower)
     if belt.modulus_test == STATIC:
         ratio = find_ratio(belt.kind)
         source = f"dynamic {ratio.least:g} to {ratio.most:g} times static: {ratio.source}"
@@ -122,10 +181,14 @@ def _stated(drive: Drive, of: Input) -> float | None:
     """
     if of.name == MODULUS:
         return drive.belt.uncertainty.get(_KEYS[MODULUS])
+    if of.name == START:
+        return None if drive.conveyor is None else drive.conveyor.uncertainty.get(START)
     if of.name in (PULL, SLACK):
         found = _of_pull(drive) if of.name == PULL else _of_slack(drive)
         return max(found, default=None)
     pulleys = [pulley for pulley in drive.pulleys if pulley.name in of.pulleys]
+    if not pulleys:
+        return None
     values = [_of_pulley(pulley, of.name) for pulley in pulleys]
     known = [value for value in values if value is not None]
     return min(known) if known and len(known) == len(values) else None

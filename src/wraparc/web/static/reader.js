@@ -87,6 +87,7 @@ if (($in("modulus", record))) {
 (more = $map([...(function* () { for (const [key, value] of $iter($m.items(more))) { if (!((!$in(key, $c5884)))) continue; yield [key, value]; } })()]));
 }
 (published = changes__belt_sources(named));
+$put(more, "carcass_ends", ($truth($common($ced64, new Set([...$iter(record)]))) ? null : named.carcass_ends));
 if ((($in("thickness", record)) || ($in("cord_diameter", record)))) {
 ([more, published] = [$map([...more, ["carcass", null]]), drive_build___without(published, "carcass")]);
 }
@@ -310,7 +311,7 @@ if (($in(of.carcass, $c88e4))) {
 (note = ("" + $format(over.value, ("" + "g")) + " times the strength, published " + $format(over.least, ("" + "g")) + " to " + $format(over.most, ("" + "g"))));
 $put(sources, "modulus", standard_belts___estimated($at($c849a, of.carcass), note));
 }
-(found = new CatalogueBelt($m.join(" ", $m.split(name)), kind, rating, modulus, ends, strength, undefined, standard_belts___known($bound(of, "pulley_cover")), standard_belts___known($bound(of, "carry_cover")), undefined, undefined, undefined, undefined, undefined, undefined, undefined, new Provenance(undefined, undefined, undefined, ("" + "by its name: " + $str(of.standard))), sources));
+(found = new CatalogueBelt($m.join(" ", $m.split(name)), kind, rating, modulus, ends, strength, undefined, standard_belts___known($bound(of, "pulley_cover")), standard_belts___known($bound(of, "carry_cover")), undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, new Provenance(undefined, undefined, undefined, ("" + "by its name: " + $str(of.standard))), sources));
 (found = ($truth(of.is_steel) ? standard_belts___with_cords(found, strength) : standard_belts___with_plies(found, of, strength)));
 return standard_belts___with_pulley(found, $bound(of, "carcass"));
 }
@@ -761,11 +762,11 @@ let cords, sources;
 if ((cords == null)) {
 return belt;
 }
-(sources = $map([...belt.sources, ["carcass", standard_belts___estimated($bound(cords, "source"), "cord diameter, makers differ by 8 %")], ["carcass_mass", standard_belts___estimated($at($cb302, "steel cord"), "by strength and cords, to 7 %")], ["cover_mass", standard_belts___estimated($at($cb302, "steel cord"), "covers of the same catalogue")]]));
+(sources = $map([...belt.sources, ["carcass", standard_belts___estimated($bound(cords, "source"), ("" + "cord diameter, makers differ by " + $format($mul(100.0, 0.08), ("" + "g")) + " %"))], ["carcass_mass", standard_belts___estimated($at($cb302, "steel cord"), "by strength and cords, to 7 %")], ["cover_mass", standard_belts___estimated($at($cb302, "steel cord"), "covers of the same catalogue")]]));
 if ((standard_belts___known($bound(cords, "pitch")) != null)) {
 $put(sources, "cord_pitch", standard_belts___estimated($bound(cords, "source"), "cord pitch, makers differ"));
 }
-return $replaced(belt, new Map([["carcass", cords.diameter], ["cord_pitch", standard_belts___known($bound(cords, "pitch"))], ["carcass_mass", $add($mul(3.2e-06, strength), $mul(1250.0, cords.diameter))], ["cover_mass", 1150.0], ["sources", sources]]));
+return $replaced(belt, new Map([["carcass", cords.diameter], ["carcass_ends", [$mul($sub(1.0, 0.08), cords.diameter), $mul($add(1.0, 0.08), cords.diameter)]], ["cord_pitch", standard_belts___known($bound(cords, "pitch"))], ["carcass_mass", $add($mul(3.2e-06, strength), $mul(1250.0, cords.diameter))], ["cover_mass", 1150.0], ["sources", sources]]));
 }
 function standard_belts___with_plies(belt, of, strength) {
 let key, mass, note, ply, share, spread, thickness;
@@ -785,7 +786,7 @@ if (($in(of.carcass, $cc26f))) {
 (thickness = ($b.round($mul($mul(10000.0, of.plies), ply)) / 10000.0));
 (note = ("" + "by plies and their strength, published " + $format($at(spread, 0), ("" + ".2g")) + " to " + $format($at(spread, 1), ("" + ".3g")) + " of it"));
 (mass = ("" + $format($mul(0.001, 1100.0), ("" + "g")) + " kg/m2 a mm of carcass, published 0.9 to 1.25"));
-return $replaced(belt, new Map([["carcass", thickness], ["carcass_mass", $mul(1100.0, thickness)], ["cover_mass", 1200.0], ["sources", $map([...belt.sources, ["carcass", standard_belts___estimated($at($c4e18, key), note)], ["carcass_mass", standard_belts___estimated($at($cb302, "fabric"), mass)], ["cover_mass", standard_belts___estimated($at($cb302, "fabric"), "covers of the same catalogue")]])]]));
+return $replaced(belt, new Map([["carcass", thickness], ["carcass_ends", [$mul($at(spread, 0), thickness), $mul($at(spread, 1), thickness)]], ["carcass_mass", $mul(1100.0, thickness)], ["cover_mass", 1200.0], ["sources", $map([...belt.sources, ["carcass", standard_belts___estimated($at($c4e18, key), note)], ["carcass_mass", standard_belts___estimated($at($cb302, "fabric"), mass)], ["cover_mass", standard_belts___estimated($at($cb302, "fabric"), "covers of the same catalogue")]])]]));
 }
 function standard_belts___with_pulley(belt, carcass) {
 let least, note, sizes, source;
@@ -2501,7 +2502,7 @@ function rules___found(result) {
 let course;
 
 (course = $map([["largest_slip", in_page_checks__largest_slip], ["slip_speed", in_page_checks__slip_speed]]));
-return $map([...(function* () { for (const name of $iter($cc89a)) { yield [name, (($in(name, course)) ? $at(course, name)(result) : $b.abs($b.getattr(result, name)))]; } })()]);
+return $map([...(function* () { for (const name of $iter($cc89a)) { if (!(((!$eq(name, "slip_speed")) || (result.arc.law.tested != null)))) continue; yield [name, (($in(name, course)) ? $at(course, name)(result) : $b.abs($b.getattr(result, name)))]; } })()]);
 }
 function in_page_checks__largest_slip(result) {
 
@@ -6629,7 +6630,7 @@ return (($eq(self.carcass, "PIW")) ? "rated tension in PIW" : "ISO 14890, DIN 22
 $sig(BeltName, ["carcass", "strength", "rating", "plies", "carry_cover", "pulley_cover", "grade"], false, {});
 class CatalogueBelt extends $Object {
 }
-$sig(CatalogueBelt, ["name", "kind", "rating", "modulus", "modulus_ends", "strength", "least_pulley_diameter", "pulley_cover", "carry_cover", "carcass", "cord_pitch", "carcass_mass", "cover_mass", "modulus_test", "modulus_loads", "permanent_elongation", "provenance", "sources"], false, {modulus_ends: () => null, strength: () => null, least_pulley_diameter: () => null, pulley_cover: () => null, carry_cover: () => null, carcass: () => null, cord_pitch: () => null, carcass_mass: () => null, cover_mass: () => null, modulus_test: () => "", modulus_loads: () => null, permanent_elongation: () => null, sources: () => new Map()});
+$sig(CatalogueBelt, ["name", "kind", "rating", "modulus", "modulus_ends", "strength", "least_pulley_diameter", "pulley_cover", "carry_cover", "carcass", "carcass_ends", "cord_pitch", "carcass_mass", "cover_mass", "modulus_test", "modulus_loads", "permanent_elongation", "provenance", "sources"], false, {modulus_ends: () => null, strength: () => null, least_pulley_diameter: () => null, pulley_cover: () => null, carry_cover: () => null, carcass: () => null, carcass_ends: () => null, cord_pitch: () => null, carcass_mass: () => null, cover_mass: () => null, modulus_test: () => "", modulus_loads: () => null, permanent_elongation: () => null, sources: () => new Map()});
 class Laggings extends $Object {
 $init(own, folder, allow_paths, report) {
 const self = this; (self._report = report);
@@ -7028,7 +7029,7 @@ const self = this; let of_cases, of_pulleys;
 
 (of_pulleys = $b.any((function* () { for (const p of $iter(self.pulleys)) { yield $or(p.uncertainty, () => p.lagging.uncertainty); } })()));
 (of_cases = $b.any((function* () { for (const case_ of $iter(self.load_cases)) { for (const of of $iter($m.values(case_.uncertainty))) { yield of; }} })()));
-return $or($b.bool($bound(self.belt, "uncertainty")), () => $or(of_pulleys, () => of_cases));
+return $or(self.belt.is_uncertain, () => $or(of_pulleys, () => of_cases));
 }
 get take_up_place() {
 const self = this; let after, away, ends, held, steady, take_up;
@@ -7605,7 +7606,7 @@ return $math.copysign(Infinity, $bound(arc, "side"));
 return $at(found.met.course.creep, $neg(1));
 }
 }
-$sig(ArcResult, ["status", "method", "arc", "profile", "entry_tension", "exit_tension", "exit_creep", "creep_shrinkage", "creep_compression", "creep_global", "exit_slip", "entry_creep_ratio", "exit_creep_ratio", "peak_shear_stress", "peak_shear_angle", "peak_shear_position", "mean_friction", "active_arc", "outside_tested_share", "stuck_arc", "capacities", "energy", "steepest_slip"], false, {steepest_slip: () => NaN});
+$sig(ArcResult, ["status", "method", "arc", "profile", "entry_tension", "exit_tension", "exit_creep", "creep_shrinkage", "creep_compression", "creep_global", "exit_slip", "entry_creep_ratio", "exit_creep_ratio", "peak_shear_stress", "peak_shear_angle", "peak_shear_position", "mean_friction", "active_arc", "outside_tested_share", "stuck_arc", "capacities", "energy", "_grown"], false, {_grown: () => NaN});
 class FoundArc extends ArcResult {
 get creep_interval() {
 const self = this; 
@@ -7616,7 +7617,7 @@ const self = this;
 return self.found.covered_creep;
 }
 }
-$sig(FoundArc, ["status", "method", "arc", "profile", "entry_tension", "exit_tension", "exit_creep", "creep_shrinkage", "creep_compression", "creep_global", "exit_slip", "entry_creep_ratio", "exit_creep_ratio", "peak_shear_stress", "peak_shear_angle", "peak_shear_position", "mean_friction", "active_arc", "outside_tested_share", "stuck_arc", "capacities", "energy", "steepest_slip", "found"], false, {steepest_slip: () => NaN});
+$sig(FoundArc, ["status", "method", "arc", "profile", "entry_tension", "exit_tension", "exit_creep", "creep_shrinkage", "creep_compression", "creep_global", "exit_slip", "entry_creep_ratio", "exit_creep_ratio", "peak_shear_stress", "peak_shear_angle", "peak_shear_position", "mean_friction", "active_arc", "outside_tested_share", "stuck_arc", "capacities", "energy", "_grown", "found"], false, {_grown: () => NaN});
 class DriveResult extends Viewable {
 __iter__() {
 const self = this; return $b.iter($bound(self, "arcs"));
@@ -9045,6 +9046,12 @@ return [];
 }
 return [new Problem(message, remedy, undefined, key, display__display(value, "length"))];
 }
+get is_uncertain() {
+const self = this; let by_name;
+
+(by_name = $or((self.modulus_ends != null), () => (self.carcass_ends != null)));
+return $or(by_name, () => ($b.len($bound(self, "uncertainty")) > 0));
+}
 get cord() {
 const self = this; 
 return ((self.cord_diameter == null) ? self.carcass : self.cord_diameter);
@@ -9072,7 +9079,7 @@ const self = this;
 return $mul(self.modulus, self.width);
 }
 }
-$sig(Belt, ["name", "width", "modulus", "rating", "strength", "speed", "kind", "momentary_factor", "least_pulley_diameter", "largest_wrap_pressure", "in_plane_shear_stiffness", "pulley_cover", "carry_cover", "carcass", "thickness", "cover_shear_modulus", "cord_diameter", "cord_pitch", "mass", "modulus_test", "modulus_loads", "modulus_ends", "uncertainty", "provenance", "sources"], false, {rating: () => null, strength: () => null, speed: () => null, kind: () => "", momentary_factor: () => null, least_pulley_diameter: () => null, largest_wrap_pressure: () => null, in_plane_shear_stiffness: () => null, pulley_cover: () => null, carry_cover: () => null, carcass: () => null, thickness: () => null, cover_shear_modulus: () => null, cord_diameter: () => null, cord_pitch: () => null, mass: () => null, modulus_test: () => "", modulus_loads: () => null, modulus_ends: () => null, uncertainty: () => new Map(), provenance: () => new Provenance(), sources: () => new Map()});
+$sig(Belt, ["name", "width", "modulus", "rating", "strength", "speed", "kind", "momentary_factor", "least_pulley_diameter", "largest_wrap_pressure", "in_plane_shear_stiffness", "pulley_cover", "carry_cover", "carcass", "thickness", "cover_shear_modulus", "cord_diameter", "cord_pitch", "mass", "modulus_test", "modulus_loads", "modulus_ends", "carcass_ends", "uncertainty", "provenance", "sources"], false, {rating: () => null, strength: () => null, speed: () => null, kind: () => "", momentary_factor: () => null, least_pulley_diameter: () => null, largest_wrap_pressure: () => null, in_plane_shear_stiffness: () => null, pulley_cover: () => null, carry_cover: () => null, carcass: () => null, thickness: () => null, cover_shear_modulus: () => null, cord_diameter: () => null, cord_pitch: () => null, mass: () => null, modulus_test: () => "", modulus_loads: () => null, modulus_ends: () => null, carcass_ends: () => null, uncertainty: () => new Map(), provenance: () => new Provenance(), sources: () => new Map()});
 class TextOr extends Kind {
 read(raw, place, report) {
 const self = this; 
@@ -11538,9 +11545,10 @@ const $cf010 = [0.8, 1.25];
 const $c4e18 = new Map([["EP", "Neelkanth Beltings, selection chart; Monster Belting, plies; Goodyear EP conveyor belt catalogue, 2012, p. 15"], ["NN", "Tatanka, NN belts; Monster Belting, plies"]]);
 const $c197d = new Map([["EP", 108.0], ["PN", 108.0], ["EE", 108.0], ["PIW", 108.0], ["NN", 90.0], ["ST", 145.0]]);
 const $c4076 = [0.2, 0.25, 0.315, 0.4, 0.5, 0.63, 0.8, 1.0, 1.25, 1.4, 1.6, 1.8, 2.0];
-const $c2628 = ["name", "kind", "modulus", "modulus_test", "modulus_loads", "modulus_ends", "rating", "strength", "least_pulley_diameter", "pulley_cover", "carry_cover", "carcass", "cord_pitch"];
+const $c2628 = ["name", "kind", "modulus", "modulus_test", "modulus_loads", "modulus_ends", "rating", "strength", "least_pulley_diameter", "pulley_cover", "carry_cover", "carcass", "carcass_ends", "cord_pitch"];
 const $c5884 = ["modulus_test", "modulus_loads", "modulus_ends"];
 const $c2a894 = new Map([["width", $c1da4], ["modulus", $c5a26], ["rating", $c4bc3], ["strength", $c3eaf], ["speed", $c45b0], ["momentary_factor", $cfb5f], ["least_pulley_diameter", $cbc30], ["largest_wrap_pressure", $cf3a1], ["in_plane_shear_stiffness", $cd676], ["pulley_cover", $cbe31], ["carry_cover", $ca3d0], ["carcass", $c9b33], ["thickness", $cbf1f], ["cover_shear_modulus", $c975b], ["cord_diameter", $c7e3d], ["cord_pitch", $c26ab], ["mass", $ce1b5]]);
+const $ced64 = new Set(["carcass", "cord_diameter", "thickness"]);
 const $c2d22 = ["pulley_cover", "carry_cover", "carcass"];
 const $ca366 = $re("[A-Za-z0-9_-]{1,60}", "");
 const $c2e28 = ["diameter", "wrap_angle", "entry_tension", "exit_tension", "effective_tension"];
