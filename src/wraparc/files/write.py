@@ -189,6 +189,10 @@ def _belt_table(belt: Belt, *, light: bool = False) -> Tables:
     unknown = {"modulus": None} if isnan(preset.modulus) else {}
     usual = BELT.written(preset, **unknown)
     own = with_mass(belt, None) if is_of_layers(belt) else belt  # the preset computes it again
+    # a number of one's own that happens to be the usual one is written: it has no band
+    for key in ("modulus", "carcass"):
+        if getattr(own, f"{key}_ends") != getattr(preset, f"{key}_ends"):
+            usual.pop(key, None)
     short = {key: v for key, v in BELT.written(own).items() if v != usual.get(key)}
     # reading a preset says by itself that other numbers are given
     stated = {key: of for key, of in own.sources.items() if of != Provenance()}
