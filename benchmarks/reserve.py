@@ -1,9 +1,9 @@
 """Reserves of random drives followed from both sides: benchmarks/reserve.py [numbers] [first].
 
-Draws drives and trains of so many numbers (tests/doors/draw.py), and at 0.97 and 1.03 of every change that a reserve
-states solves and judges the drive that is changed so, built in tests/reserve/follow.py. Prints
-what does not hold, how many reserves are not calculated and why, and what they take. The gate runs
-the same with few (tests/reserve/test_find.py).
+Draws drives and trains of so many numbers (tests/doors/draw.py; some are no drive), and at 0.97 and
+1.03 of every change that a reserve states solves and judges the drive that is changed so, built in
+tests/reserve/follow.py. Prints what does not hold, why a reserve is not calculated, and what they
+take. The gate runs the same with few (tests/reserve/test_find.py).
 """
 
 from __future__ import annotations
