@@ -177,6 +177,7 @@ def make_plant(
     *,
     errors: float = 1.0,
     lagging: str = "",
+    slope: float = 0.0,
     drive: Drive | None = None,
 ) -> tuple[Drive, Plant]:
     """Return a drive and a plant of it.
@@ -191,6 +192,8 @@ def make_plant(
         Size of its errors over those that are stated.
     lagging
         Another lagging on the drum than in the file.
+    slope
+        By how much the motor speed is read too high at rated torque [-], beside `errors`.
     drive
         As described; the shipped one unless given.
     """
@@ -261,7 +264,7 @@ def make_plant(
     offset = 0.02 * errors * normal()
     rated = rated_pull(drive)
     true_torque = pull / rated
-    by_torque = (0.0004 if encoder else 0.0012) * errors * normal()
+    by_torque = (0.0004 if encoder else 0.0012) * errors * normal() + slope
     bend = 6e-5 * errors * np.sin(5.0 * true_torque + rng.uniform(0.0, 6.0))
     outlier = np.where(rng.random(n) < 0.002, 6.0, 1.0)
     torque = true_torque * gain + offset + correlated(rng, n, 0.008, 3.0) * outlier

@@ -205,7 +205,7 @@ def test_an_error_of_the_log_beyond_its_statement_is_told(tmp_path: Path) -> Non
     ran = wraparc("learn", path)
     assert ran.code == 0
     assert "standard deviations off: friction not identified." in ran.words
-    assert "Check rated torque, T2, belt and lagging of the drive file." in ran.words
+    assert "Check motor speed, rated torque, T2, belt and lagging of the drive file." in ran.words
     assert "Friction of its law" not in ran.out
 
 
@@ -280,7 +280,7 @@ def test_what_is_no_record_is_refused(case: str, tmp_path: Path) -> None:
     assert remedy in caught.value.problems[0].remedy
     ran = wraparc("learn", path)
     assert (ran.code, ran.out) == (2, "")
-    assert len(ran.words.removeprefix("Error: ").split()) <= 24  # 20 and the path of the file
+    assert len(ran.err.removeprefix("Error: ").split()) <= 24  # 20 and the path of the file
 
 
 @pytest.mark.parametrize(

@@ -57,7 +57,7 @@ def _short_day(learned: Learned, days: float) -> str:
 
 def _verdict(learned: Learned) -> Verdict:
     level, text, action = _governing(learned)
-    also = tuple(Also(level, sentence) for sentence in _wet_sentences(learned))
+    also = tuple(Also(level, sentence) for sentence in _also_sentences(learned))
     stated = len(learned.plan.errors.stated)
     assumed = len(learned.plan.errors.assumed)
     data = f"{assumed} errors assumed, {stated} stated (--table errors)."
@@ -70,20 +70,20 @@ def _verdict(learned: Learned) -> Verdict:
 
 def _governing(learned: Learned) -> tuple[Level, str, Action | None]:
     """Return the sentence that leads, with what to do."""
-    if learned.moved:
-        name = max(learned.moved, key=lambda n: abs(learned.moved[n]))
-        size = fixed(abs(learned.moved[name]), 1)
-        return (
-            Level.ATTENTION,
-            f"{_error_title(name)} is {size} standard deviations off: friction not identified.",
-            Action("Check rated torque, T2, belt and lagging of the drive file."),
-        )
     if learned.unlike:
         names = ", ".join(learned.unlike)
         return (
             Level.ATTENTION,
             f"Speed scatter exceeds 5 times the usual: friction not identified ({names}).",
             Action("Check the belt speed signal: wheel, bearing, tachometer."),
+        )
+    if learned.moved:
+        name = _moved_first(learned)[0]
+        size = fixed(abs(learned.moved[name]), 1)
+        return (
+            Level.ATTENTION,
+            f"{_error_title(name)} is {size} standard deviations off: friction not identified.",
+            Action("Check motor speed, rated torque, T2, belt and lagging of the drive file."),
         )
     if not learned.tells_friction:
         return (
@@ -125,7 +125,15 @@ def _lost(factor: float) -> float:
     return 1.0 - 1.0 / factor
 
 
-def _wet_sentences(learned: Learned) -> Iterator[str]:
+def _moved_first(learned: Learned) -> list[str]:
+    """Return the errors that the log moved too far, the farthest first."""
+    return sorted(learned.moved, key=lambda name: -abs(learned.moved[name]))
+
+
+def _also_sentences(learned: Learned) -> Iterator[str]:
+    others = _moved_first(learned)[1:]
+    if others:
+        yield f"Off instead, as well: {', '.join(map(_error_title, others))} (--table errors)."
     found = learned.episodes.found
     if found:
         worst = min(found, key=lambda e: e.change)
@@ -302,7 +310,7 @@ def _error_title(name: str) -> str:
 def _errors(learned: Learned) -> Table:
     """Return every error: stated or assumed, and how the log moves it."""
     errors, fit = learned.plan.errors, learned.fit
-    now, moved = fit.nuisance(), fit.moved()
+    now, moved, alone = fit.nuisance(), fit.moved(), fit.by_log_alone()
     rows = []
     for key in ERROR_KINDS:
         names = [n for n in fit.prior_sd if n.partition(".")[0] == key] or [key]
@@ -312,13 +320,18 @@ def _errors(learned: Learned) -> Table:
             size = fixed(moved[name], 1, "signed") if name in moved else NONE
             level = Level.ATTENTION if name in moved and abs(moved[name]) > MOST_MOVED else None
             source = "stated" if key in errors.stated else "assumed"
-            rows.append(Row(_error_title(name), (percent(sd, 2), source, value, size), level=level))
+            by_log = percent(alone[name], 2) if name in alone else NONE
+            cells = (percent(sd, 2), source, value, by_log, size)
+            rows.append(Row(_error_title(name), cells, level=level))
     note = (
-        f"Standard deviations. Take-up friction is expected at {percent(TAKE_UP_FRICTION)}. Write "
+        f"Standard deviations. Take-up friction is expected at {percent(TAKE_UP_FRICTION)}. By the "
+        "log alone: were nothing stated of this error and the others as stated. Write "
         "those that are known into [errors]: an error smaller than it is makes intervals that do "
         "not contain the truth."
     )
-    heads = ("standard deviation", "source", "estimate", "in standard deviations")
+    heads = (
+        "standard deviation", "source", "estimate", "by the log alone", "in standard deviations",
+    )  # fmt: skip
     return Table("Errors of the log", tuple(rows), heads, note, "errors")
 
 

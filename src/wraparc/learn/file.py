@@ -6,6 +6,7 @@ import datetime as dt
 import os
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
+from glob import glob
 from typing import Any
 
 from wraparc.drive import Drive, Limit
@@ -210,7 +211,8 @@ def load_plan(paths: Sequence[str], overrides: Overrides = ()) -> LearnPlan:
         With everything that is wrong.
     """
     if len(paths) == 1 and paths[0].lower().endswith(".toml"):
-        return load(paths[0], plan_from_document, overrides, file_kind="learn")
+        plan = load(paths[0], plan_from_document, overrides, file_kind="learn")
+        return replace(plan, logs=tuple(path for name in plan.logs for path in _matching(name)))
     drives = [path for path in paths if path.lower().endswith(".toml")]
     logs = [path for path in paths if path not in drives]
     if len(drives) != 1 or not logs:
@@ -223,6 +225,11 @@ def load_plan(paths: Sequence[str], overrides: Overrides = ()) -> LearnPlan:
     document["pulley"] = [{"name": pulley.name} for pulley in described.pulleys[:2]]
     document["belt_speed"], document["take_up"], document["errors"] = {}, {}, {}
     return plan_from_document(put_over(document, overrides, LEARN), file=logs[0])
+
+
+def _matching(path: str) -> list[str]:
+    """Return the files that a name with wildcards is of, in order; the name where it is of none."""
+    return (not os.path.exists(path) and sorted(glob(path))) or [path]
 
 
 def plan_from_document(document: Document, *, file: str = "", folder: str = "") -> LearnPlan:

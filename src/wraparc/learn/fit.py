@@ -6,7 +6,8 @@ count less (Huber). The maximum is that of a skewed posterior: what friction may
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import math
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
 
@@ -26,6 +27,8 @@ _WALK = {"friction": 0.06, "zero": 2.5e-4}
 #: Torques between which the torque signal may bend [-].
 BENDS = np.array([0.08, 0.22, 0.36, 0.50, 0.64, 0.78, 0.92])
 _HUBER, _LONGEST_STEP, _SMALL = 2.5, 0.5, 2e-4
+#: Part of its variance that a log must take from an error to say anything of it [-].
+_LEAST_SHARE = 0.02
 #: Least sigma and tau [-].
 LEAST_SIGMA, LEAST_TAU = 3e-5, 5e-5
 _COMMON = ("exit_tension", "belt_modulus", "peak_slip", "lagging_shear", "take_up_friction")
@@ -158,9 +161,28 @@ class LearnFit:
         return np.asarray(curve - self.model.strain(torque, nuisance) * drift + np.array(bends))
 
     def moved(self) -> dict[str, float]:
-        """Return how many of its standard deviations each error was moved by."""
-        now = self.nuisance()
-        return {n: (now[n] - self.expected[n]) / sd for n, sd in self.prior_sd.items()}
+        """Return by how many standard deviations the log shifts each error of which it says any.
+
+        The shift x - x0 from what is stated has the variance P - C, that of the statement less
+        that of the posterior. P alone would hide what others can stand for: each is shifted by a
+        part. Baarda, A testing procedure for use in geodetic networks (1968).
+        """
+        return {
+            n: (now - self.expected[n]) / (self.prior_sd[n] * math.sqrt(share))
+            for n, now, share in self._shifts()
+        }
+
+    def by_log_alone(self) -> dict[str, float]:
+        """Return what each error of which the log says any would be, were nothing stated of it."""
+        return {n: self.expected[n] + (x - self.expected[n]) / r for n, x, r in self._shifts()}
+
+    def _shifts(self) -> Iterator[tuple[str, float, float]]:
+        """Yield errors, their values, and which part of its variance the log takes from each."""
+        for name, value in self.nuisance().items():
+            place = self.places[name].start
+            share = 1.0 - float(self.covariance[place, place]) / self.prior_sd[name] ** 2
+            if share > _LEAST_SHARE:
+                yield name, value, share
 
 
 def fit_cells(

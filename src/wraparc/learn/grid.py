@@ -19,6 +19,9 @@ _GAP, _LEAST_GAP, _RUNNING = 1.2, 60.0, 0.2
 #: speed over it, and a difference of speeds that no wheel has.
 _STRAIGHT, _DEAD_BAND, _COMPUTED = 0.3, 0.005, 1e-5
 _LINE, _SLOPE = 6, 10.0
+#: Longest log [days], and what the highest torque of a drive is over the rated one [-].
+MOST_DAYS = 1500.0
+_LEAST_TOP, _MOST_TOP = 0.05, 4.0
 
 
 @dataclass(frozen=True)
@@ -47,6 +50,8 @@ class Grid:
         Longest spans that were left out.
     share_left_out
         Part of the running time in which a signal is missing [-].
+    missing
+        The same of each tag, by its name.
     """
 
     start: float
@@ -54,6 +59,7 @@ class Grid:
     values: Mapping[str, Array]
     left_out: tuple[LeftOut, ...]
     share_left_out: float
+    missing: Mapping[str, float]
 
 
 def moment_of(seconds: float) -> dt.datetime:
@@ -80,6 +86,11 @@ def on_grid(log: Log, file: str) -> Grid:
             Problem(file=file, message="its tags have no time in common",
                     remedy="Export all tags of the same days.")
         )  # fmt: skip
+    if stop - start > 86400.0 * MOST_DAYS:
+        raise InputError(
+            Problem(file=file, key="files", value=f"{(stop - start) / 86400.0:.0f} days",
+                    message="log too long", remedy=f"Export at most {MOST_DAYS:.0f} days.")
+        )  # fmt: skip
     time = np.arange(0.0, stop - start + STEP, STEP)
     left_out: list[LeftOut] = []
     values: dict[str, Array] = {}
@@ -95,7 +106,11 @@ def on_grid(log: Log, file: str) -> Grid:
     known = np.all([np.isfinite(v) for v in values.values()], axis=0)
     moving = _was_running(running, np.isfinite(speeds[0]))
     share = float(np.mean(~known[moving])) if moving.any() else 0.0
-    return Grid(start, time, values, tuple(_longest(left_out)), share)
+    missing = {
+        signal.tag: float(np.mean(~np.isfinite(values[role][moving]))) if moving.any() else 0.0
+        for role, signal in log.signals.items()
+    }
+    return Grid(start, time, values, tuple(_longest(left_out)), share, missing)
 
 
 def _was_running(running: Flags, known: Flags) -> Flags:
@@ -146,13 +161,25 @@ def _faults(signal: Signal, file: str) -> list[Problem]:
     if len(values) < 2:
         return [Problem(file=file, key=signal.tag, message="has no readings",
                         remedy="Export it with its values.")]  # fmt: skip
+    usual = float(np.median(np.abs(values[values != 0.0]))) if values.any() else 0.0
+    if np.ptp(values) <= 1e-9 * usual:
+        return [Problem(file=file, key=signal.tag, message="never changes",
+                        remedy="Export what is measured, with its decimals.")]  # fmt: skip
+    if float(np.median(values[np.abs(values) > _RUNNING * usual])) < 0.0:
+        return [Problem(file=file, key=signal.tag, message="is negative while the drive runs",
+                        remedy="Export it positive for the driving direction.")]  # fmt: skip
+    top = float(np.quantile(values, 0.99))
+    if signal.role.startswith("torque") and not _LEAST_TOP <= top <= _MOST_TOP:
+        return [Problem(file=file, key=signal.tag, value=f"{100.0 * top:.2g} % of rated torque",
+                        message="its highest readings are those of no drive",
+                        remedy="Check its unit and rated_torque.")]  # fmt: skip
     if signal.role.startswith("torque") and _straight_share(values) > _STRAIGHT:
         return [Problem(file=file, key=signal.tag, message="has straight lines between readings",
                         remedy="Export stored values, without interpolation.")]  # fmt: skip
     if signal.role == "belt_speed":
         steps = np.abs(np.diff(values))
-        steps = steps[(steps > 0.0) & (values[1:] > 0.5 * values.max())]
-        size = float(np.quantile(steps, 0.05)) / float(values.max()) if len(steps) else 0.0
+        steps = steps[(steps > 0.0) & (values[1:] > 0.5 * top)]
+        size = float(np.quantile(steps, 0.05)) / top if len(steps) else 0.0
         if size > _DEAD_BAND:
             return [Problem(file=file, key=signal.tag, value=f"{100.0 * size:.2g} %",
                             message="is stored in steps above 0.5 % of speed",

@@ -32,10 +32,10 @@ from wraparc.learn.windows import DAY, Windows, find_cells, find_jumps, find_win
 
 #: What a log must have for more than its zero: days, steady hours, range of torque [-].
 LEAST_DAYS, LEAST_HOURS, LEAST_RANGE = 3.0, 30.0, 0.25
+#: Part of the running in which a tag may be missing before it is what a log lacks [-].
+_MOSTLY = 0.5
 #: What a zero is at most [-], an error is moved by in its standard deviations, a spread over usual.
 MOST_ZERO, MOST_MOVED = 0.05, 3.0
-#: Part of what the law misses that differs between the slip of now and that of gross slip.
-_SHAPE_APART = 0.5
 USUAL_SIGMA, USUAL_TAU, MOST_SPREAD = 2e-4, 1.5e-4, 5.0
 
 Progress = Callable[[str, float], None]
@@ -240,7 +240,7 @@ def _pulley(
     best = math.nan
     if tells:
         draws = friction_draws(fit, name, stop - 1e-9)
-        found = reserve_of(fit, draws, k, top, stop - 1e-9, _SHAPE_APART * shape)
+        found = reserve_of(fit, draws, k, top, stop - 1e-9, shape)
         of_days = plan.errors.sd("friction_days")
         end = draws.of(fit.weights("friction", name, ends[1:]))[:, 0]
         friction = as_factor(draws_interval(end, math.hypot(shape, of_days)))
@@ -293,6 +293,15 @@ def _unlike(fit: LearnFit) -> list[str]:
 def _refuse_short(plan: LearnPlan, grid: Grid, hours: float | None = None) -> None:
     """Refuse a log that is too short to say anything: by its days, then by its steady hours."""
     days = float(grid.time[-1]) / DAY
+    worst = max(grid.missing, key=lambda tag: grid.missing[tag])
+    if days >= LEAST_DAYS and grid.missing[worst] > _MOSTLY:
+        raise InputError(
+            Problem(
+                file=plan.file, key=worst, value=f"{100.0 * grid.missing[worst]:.0f} % of running",
+                message="frozen or missing for too long",
+                remedy="Log it every minute, with its decimals.",
+            )
+        )  # fmt: skip
     if days >= LEAST_DAYS and (hours is None or hours >= LEAST_HOURS):
         return
     got = f"{24.0 * days:.2g} h" if hours is None else f"{hours:.2g} h steady"

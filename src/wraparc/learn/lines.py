@@ -138,7 +138,8 @@ def reserve_of(
     stop
         End of the log [days].
     shape
-        Standard deviation of what the law misses between the slip of now and that of gross slip.
+        Standard deviation of what the law misses between two slips [-], of the logarithm of the
+        reserve: nothing at gross slip, the more the farther the slip of now is from it.
     """
     name, model = fit.model.names[pulley], fit.model
     row = fit.weights("friction", name, np.array([stop]))
@@ -157,7 +158,7 @@ def reserve_of(
     found = found[np.isfinite(found)]
     if not math.isfinite(best) or len(found) < len(draws.unknowns) // 2:
         return FrictionReserve(None, math.nan)
-    return FrictionReserve(draws_interval(found, shape), best)
+    return FrictionReserve(draws_interval(found, shape * abs(float(np.median(found)))), best)
 
 
 def used_up(

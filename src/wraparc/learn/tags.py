@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import datetime as dt
 import math
+import os
+import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
@@ -29,6 +31,14 @@ _EXPORT = "Export one row a reading, with clock times."
 _TURNS = {"1/min", "u/min", "min-1", "min^-1", "r/min", "rev/min", "upm", "/min"}
 _PERCENT = {"%", "percent", "prozent", "pct"}
 _RPM = 2.0 * math.pi / 60.0
+#: Names of a column that say nothing, and the date or number at the end of a file's name.
+_NO_NAMES = {"", "value", "values", "wert", "val", "valeur", "valor", "column 2"}
+_DATED = re.compile(r"[-_ .]*(\d{4}[-_.]?\d{2}([-_.]?\d{2})?|[-_ ]\d{1,3})$")
+#: Values that are alike in two files [-], how long both may differ as the clock was put back [s].
+_ALIKE, _LIVED_TWICE = 1e-4, 7200.0
+#: A lone reading that is so far from those before and after it has a wrong clock time [s], and
+#: so are few readings that are as far from all others [s, -].
+_FAR, _FARTHEST, _FEW = 3600.0, 30 * 86400.0, 0.01
 
 
 @dataclass(frozen=True, eq=False)
@@ -89,7 +99,7 @@ def read_signals(plan: LearnPlan) -> Log:
     InputError
         With everything that cannot be told, and what to write to tell it.
     """
-    tags, rows, skipped = _read_files(plan)
+    tags, rows, skipped, apart = _read_files(plan)
     problems: list[Problem] = []
     found: dict[str, LogTag] = {}
     pulleys = []
@@ -116,6 +126,10 @@ def read_signals(plan: LearnPlan) -> Log:
         )
         if tension:
             found["tension"] = tension
+    problems += [apart[name] for name in dict.fromkeys(t.name for t in found.values())
+                 if name in apart]  # fmt: skip
+    if problems:
+        raise InputError(problems)
     signals, pulleys = _in_si(found, plan, pulleys, problems)
     if problems:
         raise InputError(problems)
@@ -124,9 +138,9 @@ def read_signals(plan: LearnPlan) -> Log:
     return Log(signals, tuple(pulleys), rows, skipped, unused)
 
 
-def _read_files(plan: LearnPlan) -> tuple[list[LogTag], int, int]:
-    """Return the tags of all files, those of one name joined in the order of their times."""
-    parts: dict[str, list[LogTag]] = {}
+def _read_files(plan: LearnPlan) -> tuple[list[LogTag], int, int, dict[str, Problem]]:
+    """Return the tags of all files, those of one name joined, and where their files differ."""
+    parts: dict[str, list[tuple[str, LogTag]]] = {}
     rows = skipped = 0
     problems: list[Problem] = []
     for path in plan.logs:
@@ -140,21 +154,105 @@ def _read_files(plan: LearnPlan) -> tuple[list[LogTag], int, int]:
         rows, skipped = rows + log.rows, skipped + log.skipped
         for tag in log.tags:
             zoned = tag if log.is_zoned else replace(tag, times=_to_utc(tag.times, plan.zone, path))
-            parts.setdefault(tag.name, []).append(zoned)
+            name = _named(tag.name, path) if len(log.tags) == 1 else tag.name
+            parts.setdefault(name, []).append((path, replace(zoned, name=name)))
     if problems:
         raise InputError(problems)
-    tags = []
-    for name, pieces in parts.items():
-        ordered = sorted(
-            (_forward(piece) for piece in pieces if len(piece.times)), key=lambda p: p.times[0]
-        )
-        if not ordered:
-            continue
-        unit = next((piece.unit for piece in ordered if piece.unit), "")
-        times = np.concatenate([piece.times for piece in ordered])
-        values = np.concatenate([piece.values for piece in ordered])
-        tags.append(LogTag(name, unit, times, values))
-    return tags, rows, skipped
+    tags: list[LogTag] = []
+    apart: dict[str, Problem] = {}
+    for name, read in parts.items():
+        pieces = [(path, _forward(piece)) for path, piece in read if len(piece.times)]
+        pieces.sort(key=lambda p: float(p[1].times[0]))
+        try:
+            tags.extend(_joined(pieces))
+        except InputError as error:
+            apart[name] = error.problems[0]
+            tags.append(pieces[0][1])
+    return tags, rows, skipped, apart
+
+
+def _named(name: str, path: str) -> str:
+    """Return the name of the only tag of a file: that of the file, less its date, where none is."""
+    if plain_name(name) not in _NO_NAMES:
+        return name
+    stem = os.path.splitext(os.path.basename(path))[0]
+    return _DATED.sub("", stem).replace("_", " ").strip() or name
+
+
+def _joined(pieces: Sequence[tuple[str, LogTag]]) -> list[LogTag]:
+    """Return the readings of a tag in several files as one, or none where none has any.
+
+    Raises
+    ------
+    InputError
+        If the files have units of two kinds, or other values at the same times.
+    """
+    if not pieces:
+        return []
+    first, whole = pieces[0]
+    for path, read in pieces[1:]:
+        piece = _in_unit_of(whole, read, path)
+        if piece.times[0] > whole.times.max():
+            times = np.concatenate([whole.times, piece.times])
+            values = np.concatenate([whole.values, piece.values])
+        else:
+            times, values = _merged(whole, piece, first, path)
+        whole = LogTag(whole.name, whole.unit or piece.unit, times, values)
+    return [whole]
+
+
+def _in_unit_of(whole: LogTag, piece: LogTag, path: str) -> LogTag:
+    """Return readings in the unit of those before; one that is stated nowhere is the same."""
+    if not whole.unit or not piece.unit or whole.unit == piece.unit:
+        return piece
+    (kind, size), (own_kind, own_size) = _unit_of(whole.unit), _unit_of(piece.unit)
+    if kind != own_kind:
+        raise InputError(
+            Problem(file=path, key=piece.name, value=shown(piece.unit),
+                    message=f"another file has it in {shown(whole.unit)}",
+                    remedy="Export it in one unit.")
+        )  # fmt: skip
+    return replace(piece, unit=whole.unit, values=piece.values * (own_size / size))
+
+
+def _unit_of(unit: str) -> tuple[str, float]:
+    """Return what a unit is of, and its size in SI."""
+    plain = unit.strip().casefold()
+    if plain in _PERCENT:
+        return "%", 1.0
+    if plain in _TURNS:
+        return "rotation_speed", _RPM
+    if plain in ("a", "ka"):
+        return "current", 1e3 if plain == "ka" else 1.0
+    dimension = dimension_of(unit)
+    return (plain, 1.0) if dimension is None else (dimension, unit_factor(unit, dimension))
+
+
+def _merged(whole: LogTag, piece: LogTag, first: str, path: str) -> tuple[Array, Array]:
+    """Return the readings of two files that overlap in time, those that both have once."""
+    order = np.argsort(whole.times, kind="stable")
+    place = np.clip(np.searchsorted(whole.times[order], piece.times), 0, len(order) - 1)
+    before = order[place]
+    both = whole.times[before] == piece.times
+    a, b = whole.values[before], piece.values
+    with np.errstate(invalid="ignore"):
+        alike = both & ((np.abs(a - b) <= _ALIKE * np.abs(b)) | (np.isnan(a) & np.isnan(b)))
+    other = np.flatnonzero(both & ~alike & np.isfinite(a) & np.isfinite(b))
+    if len(other) and np.ptp(piece.times[other]) > _LIVED_TWICE:
+        k = int(other[0])
+        moment = dt.datetime.fromtimestamp(float(piece.times[k]), dt.UTC)
+        raise InputError(
+            Problem(file=path, key=piece.name,
+                    value=f"{a[k]:.5g} and {b[k]:.5g} at {moment:%Y-%m-%d %H:%M}",
+                    message=f"differs from {shown(first)} at the same times",
+                    remedy="Leave one of the two files out.")
+        )  # fmt: skip
+    times = np.concatenate([whole.times, piece.times[~alike]])
+    values = np.concatenate([whole.values, piece.values[~alike]])
+    if not len(other) and all(np.all(np.diff(p.times) >= -60.0) for p in (whole, piece)):
+        order = np.argsort(times, kind="stable")  # no clock was put back in either
+        times, values = times[order], values[order]
+    return times, values
 
 
 def _forward(tag: LogTag) -> LogTag:
@@ -376,9 +474,26 @@ def _ask_gear(
                    remedy=remedy)  # fmt: skip
 
 
+def _timed(tag: LogTag) -> tuple[Array, Array]:
+    """Return times and values without the readings whose clock time is wrong."""
+    times, values = tag.times, tag.values
+    if len(times) > 2:
+        before, after = np.diff(times)[:-1], np.diff(times)[1:]
+        lone = (np.minimum(np.abs(before), np.abs(after)) > _FAR) & (before * after < 0.0)
+        lone &= np.abs(before + after) < 0.1 * np.abs(before)
+        good = np.concatenate([[True], ~lone, [True]])
+        times, values = times[good], values[good]
+    order = np.argsort(times, kind="stable")
+    starts = np.flatnonzero(np.diff(times[order], prepend=-math.inf) > _FARTHEST)
+    groups = np.split(order, starts[1:])
+    kept = [group for group in groups if len(group) > _FEW * len(times)]
+    which = np.sort(np.concatenate(kept)) if kept else order
+    return times[which], values[which]
+
+
 def _ascending(tag: LogTag) -> tuple[Array, Array, tuple[tuple[float, float], ...]]:
     """Return times and values in order, each time once, and the spans that were lived twice."""
-    times, values = tag.times, tag.values
+    times, values = _timed(tag)
     top = np.maximum.accumulate(times)
     back = times < top - 60.0
     spans: list[tuple[float, float]] = []

@@ -115,7 +115,7 @@ def find_windows(grid: Grid, log: Log, radii: Sequence[float]) -> Windows:
         good &= np.insert(step, 0, np.nan) < _TORQUE
         good &= np.std(torque, axis=1) < _TORQUE
     for x in (*speeds, belt):
-        top = np.nanmax(np.where(np.isfinite(x), x, 0.0))
+        top = np.quantile(np.where(np.isfinite(x), x, 0.0), 0.99)
         good &= np.ptp(x, axis=1) < _SPEED * top
     kept = np.flatnonzero(good)
     gears = [choice.gear_ratio or 1.0 for choice in log.pulleys]
@@ -153,7 +153,8 @@ def find_cells(windows: Windows, kept: Flags) -> Cells:
     bins = max(4, int((high - low) / (pulleys * CELL)))
     edges = np.linspace(low, high, bins + 1)
     load = np.clip(np.searchsorted(edges, total) - 1, 0, bins - 1)
-    key = windows.day * 1000 + load
+    days = windows.day
+    key = days * 1000 + load
     order = np.flatnonzero(kept)[np.argsort(key[kept], kind="stable")]
     starts = np.flatnonzero(np.diff(key[order], prepend=-1))
     groups = [g for g in np.split(order, starts[1:]) if len(g) >= _FEWEST]
@@ -167,7 +168,7 @@ def find_cells(windows: Windows, kept: Flags) -> Cells:
         .T,
         play=np.array([windows.play[g].mean() for g in groups]),
         count=np.array([len(g) for g in groups], dtype=np.int64),
-        day=np.array([windows.day[g[0]] for g in groups], dtype=np.int64),
+        day=np.array([days[g[0]] for g in groups], dtype=np.int64),
     )
 
 

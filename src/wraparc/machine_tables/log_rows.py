@@ -6,10 +6,11 @@ missing, and holds until the next one.
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from itertools import repeat
 
 import numpy as np
 
-from wraparc.arrays import Array
+from wraparc.arrays import Array, Integers
 from wraparc.errors import InputError, shown
 from wraparc.machine_tables.clocks import has_offset, looks_like_clock, read_clocks
 from wraparc.machine_tables.columns import NamedColumn, name_columns, plain_name, split_name
@@ -174,8 +175,8 @@ def _read_rows(
     """Read all rows, piece by piece, so that memory stays small."""
     clocks: list[list[str]] = [[] for _ in layout.clocks]
     numbers: list[list[Array]] = [[] for _ in layout.numbers]
-    names: list[str] = []
-    units: dict[str, str] = {}
+    tagged: list[Integers] = []
+    places: dict[tuple[str, str], int] = {}
     skipped = 0
     for start in range(layout.first, len(lines), _PIECE):
         piece = [line for line in lines[start : start + _PIECE] if line.strip()]
@@ -192,14 +193,16 @@ def _read_rows(
             read = _values(by_column[k], layout.style)
             pieces.append(read if poor is None else np.where(poor, np.nan, read))
         if layout.tag is not None:
-            names.extend(by_column[layout.tag])
-            if layout.unit is not None:
-                units.update(zip(by_column[layout.tag], by_column[layout.unit], strict=True))
+            of = by_column[layout.tag]
+            units = repeat("", len(of)) if layout.unit is None else by_column[layout.unit]
+            tagged.append(
+                np.array([places.setdefault(p, len(places)) for p in zip(of, units, strict=True)])
+            )
     zoned = bool(clocks[0]) and has_offset(clocks[0][0])
     at = [read_clocks(cells, file, order) for cells in clocks]
     values_of = [np.concatenate(v) if v else np.empty(0) for v in numbers]
     if layout.tag is not None:
-        tags = _by_tag(names, at[0], values_of[0], units)
+        tags = _by_tag(places, tagged, at[0], values_of[0])
     else:
         tags = []
         for k, values in zip(layout.numbers, values_of, strict=True):
@@ -237,15 +240,16 @@ def _values(cells: Sequence[str], style: NumeralStyle) -> Array:
     return np.where(np.isfinite(values), values, np.nan)
 
 
-def _by_tag(names: list[str], times: Array, values: Array, units: dict[str, str]) -> list[LogTag]:
-    """Return the readings of each tag of a log of single readings, in the order of the file."""
-    places = {name: k for k, name in enumerate(dict.fromkeys(names))}
-    of = np.array([places[name] for name in names])
+def _by_tag(
+    places: dict[tuple[str, str], int], tagged: list[Integers], times: Array, values: Array
+) -> list[LogTag]:
+    """Return the readings of each tag of a log of single readings, one in two units as two."""
+    of = np.concatenate(tagged) if tagged else np.empty(0, dtype=np.int64)
     tags = []
-    for name, k in places.items():
+    for (name, own_unit), k in places.items():
         own = (of == k) & np.isfinite(times)
         label, unit = split_name(name.strip())
-        tags.append(LogTag(label, units.get(name, "").strip() or unit, times[own], values[own]))
+        tags.append(LogTag(label, own_unit.strip() or unit, times[own], values[own]))
     return tags
 
 
