@@ -147,5 +147,19 @@ def test_on_the_page_a_log_is_dropped_learned_and_refused(visitor: Visitor, logg
     page.get_by_role("button", name="Save the learned drive").wait_for(timeout=120_000)
     assert page.locator("#logs .curves img").count() == 2
     expect(page.locator("#logs [aria-label=Findings]")).to_contain_text("Friction reserve")
+    # findings stand as far from the edge as their head, pictures are no wider than their card
+    edge, text = (
+        page.locator(f"#logs [aria-label=Findings] {which}").first.evaluate(
+            "e => e.getBoundingClientRect().left + parseFloat(getComputedStyle(e).paddingLeft)"
+        )
+        for which in ("h2", ".facts p")
+    )
+    assert text == edge
+    page.set_viewport_size({"width": 390, "height": 844})
+    card = page.locator("#logs .hero").bounding_box()
+    picture = page.locator("#logs .curves img").first.bounding_box()
+    assert card is not None
+    assert picture is not None
+    assert picture["x"] + picture["width"] <= card["x"] + card["width"]
     page.get_by_label("Gear ratio").fill("21")
     expect(page.locator("#logs-verdict")).to_contain_text("Inputs changed.")

@@ -28,7 +28,7 @@ _WALK = {"friction": 0.06, "zero": 2.5e-4}
 BENDS = np.array([0.08, 0.22, 0.36, 0.50, 0.64, 0.78, 0.92])
 _HUBER, _LONGEST_STEP, _SMALL = 2.5, 0.5, 2e-4
 #: Part of its variance that a log must take from an error to say anything of it [-].
-_LEAST_SHARE = 0.02
+_LEAST_SHARE = 0.05
 #: Least sigma and tau [-].
 LEAST_SIGMA, LEAST_TAU = 3e-5, 5e-5
 _COMMON = ("exit_tension", "belt_modulus", "peak_slip", "lagging_shear", "take_up_friction")

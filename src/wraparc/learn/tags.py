@@ -244,7 +244,7 @@ def _merged(whole: LogTag, piece: LogTag, first: str, path: str) -> tuple[Array,
         raise InputError(
             Problem(file=path, key=piece.name,
                     value=f"{a[k]:.5g} and {b[k]:.5g} at {moment:%Y-%m-%d %H:%M}",
-                    message=f"differs from {shown(first)} at the same times",
+                    message=f"differs from {shown(os.path.basename(first))} at the same times",
                     remedy="Leave one of the two files out.")
         )  # fmt: skip
     times = np.concatenate([whole.times, piece.times[~alike]])

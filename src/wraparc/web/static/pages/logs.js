@@ -138,9 +138,11 @@ const PAUSE = 400;
 async function follow() {
   while (busy()) {
     await new Promise((go) => setTimeout(go, PAUSE));
-    const { id } = state.job;
     if (!busy()) return; // cancelled meanwhile
-    const answer = await ask(`logs/jobs/${id}`);
+    const { id } = state.job;
+    const answer = await ask(`logs/jobs/${id}`).catch((x) => {
+      if (state.job?.id === id) throw x; // else it was cancelled while it was asked after
+    });
     if (state.job?.id !== id || !busy()) return;
     state.job = answer;
     if (answer.state === "failed") state.problems = answer.problems;
