@@ -200,8 +200,8 @@ def summary(rows: list[dict[str, Any]]) -> str:
     stated = [sum(r["alarms"][k] * r["years"] for r in rows) / years for k in (0, 1)]
     lines.append(
         f"\nFalse episodes: {sum(r['false'] for r in rows) / years:.1f} a running year, where "
-        f"{WANTED:g} to {WANTED * PROMISE:g} are expected. The alarm line was passed by no fall "
-        f"{sum(r['passed'] for r in rows) / years:.1f} times a running year, where "
+        f"{WANTED:g} to {WANTED * PROMISE:g} are expected. Without a fall the alarm line was "
+        f"passed {sum(r['passed'] for r in rows) / years:.1f} times a running year, where "
         f"{stated[0]:.2g} to {stated[1]:.2g} are stated."
     )
     true = sum(r["cuts"]["true"] for r in rows)
