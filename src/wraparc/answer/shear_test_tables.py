@@ -27,7 +27,7 @@ from wraparc.shear_test.campaign import NOT_STATED
 from wraparc.shear_test.curve_fit import Z95
 from wraparc.shear_test.derivative import derivative_check
 from wraparc.shear_test.lash import LEAST_LASH, lash_range
-from wraparc.shear_test.misfit import OTHER_PRESSURE, Misfit, noise_levels
+from wraparc.shear_test.misfit import OTHER_PRESSURE, REMAINDER, Misfit, noise_levels
 from wraparc.shear_test.pressure_form import equations
 from wraparc.shear_test.sentences import form_sentences
 from wraparc.units import (
@@ -129,8 +129,10 @@ def verdict(result: PlanResult) -> Verdict:
         heads = [s for s in misfit if isinstance(s, Misfit) and s.headline]
         first = heads[0] if heads else Misfit("")
         action = Action(first.action or "Repeat or leave out these tests, and fit again.")
-        text = f"Fit rejected: {first.headline}." if heads else _rejected(result)
-        rest = dict.fromkeys(_started(s.headline) for s in heads[1:])
+        lines = [*(s.headline for s in heads), *_remainder(result)]
+        lines = lines or [f"the law does not describe its tests ({counted(misfit)})"]
+        text = f"Fit rejected: {lines[0]}."
+        rest = dict.fromkeys(_started(line) for line in lines[1:])
         lash = _lash(result)
         also = tuple(Also(Level.ATTENTION, text) for text in rest)
         also += (Also(Level.OK, f"{lash}."),) if lash else ()
@@ -189,15 +191,16 @@ def _lash(result: PlanResult) -> str:
     return f"Lash taken off: {Cell(high, 'length', 2, 'to', low)}" if high >= LEAST_LASH else ""
 
 
-def _rejected(result: PlanResult) -> str:
-    """Say how many tests deviate from the law, and which most."""
+def _remainder(result: PlanResult) -> list[str]:
+    """Say how many tests the law leaves a remainder of, and of which most."""
     tests = [test for condition in result.conditions for test in condition.tests]
-    bad = [test for test in tests if test.judged.misfit]
-    worst = largest(bad or tests, lambda test: test.fit.remainder / _top(test))
+    bad = [t for t in tests if any(s.about == REMAINDER for s in t.judged.misfit)]
+    if not bad:
+        return []
+    worst = largest(bad, lambda test: test.fit.remainder / _top(test))
     share = 100 * worst.fit.remainder / _top(worst)
     who = f"{len(bad)} tests deviate" if len(bad) > 1 else "1 test deviates"
-    who = who if bad else "law deviates from its tests"
-    return f"Fit rejected: {who}, worst {worst.test.file} by {share:.1f} % of friction."
+    return [f"{who}, worst {worst.test.file} by {share:.1f} % of friction"]
 
 
 def _peak_action(result: PlanResult) -> Action | None:

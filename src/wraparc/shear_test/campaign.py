@@ -12,6 +12,7 @@ import numpy as np
 from wraparc.arrays import Array, Flags, Integers
 from wraparc.shear_test.analysis import TestResult
 from wraparc.shear_test.consistency import USUAL, USUAL_WEIGHT
+from wraparc.shear_test.misfit import Misfit
 from wraparc.shear_test.plan import PlannedTest
 from wraparc.shear_test.pressure_fit import CurvePoints, PressureFit
 from wraparc.shear_test.pressure_form import ln_peaks
@@ -27,6 +28,7 @@ _CONFOUNDED = 0.9
 # How sure a trend must be, and how much of friction it must take from the first test to the last.
 _LEVEL, _MATTERS = 0.98, 0.02
 _LEAST_FREEDOM = 2
+_SAY = "Write order or date in each [[test]]."
 
 
 def order_of(tests: Sequence[PlannedTest]) -> Array | None:
@@ -65,7 +67,8 @@ def order_sentences(
     if order is None:
         most = max((names.count(name) for name in set(names)), default=0)
         if most > 2:
-            return [f"one sample served for {most} tests, and {NOT_STATED}"], []
+            head = f"one sample served for {most} tests, their order is missing"
+            return [Misfit(f"one sample served for {most} tests, and {NOT_STATED}", head, _SAY)], []
         listed = np.array([int("0" + "".join(filter(str.isdigit, test.place))) for test in planned])
         return _from_repeat_to_repeat(listed[~flagged], points.only(~flagged)), [NOT_STATED]
     ln_pressure = np.log(points.pressure)
@@ -79,7 +82,9 @@ def order_sentences(
         )
         if fresh:
             return [], [f"{text}; each test had a sample of its own, so the rig's drift is left"]
-        return [f"{text}; repeat the first pressure at the end, or test in mixed order"], []
+        text += "; repeat the first pressure at the end, or test in mixed order"
+        head = "pressures were tested in their order: wear looks like the effect of pressure"
+        return [Misfit(text, head, "Repeat the first pressure, or test in mixed order.")], []
     return _trend(order[~flagged], law, points.only(~flagged), law.weights[~flagged])
 
 
@@ -97,11 +102,13 @@ def lot_sentences(tests: Sequence[TestResult], levels: Integers) -> list[str]:
     at = {lot: {int(k) for k, own in zip(levels, lots, strict=True) if own == lot} for lot in lots}
     if len(at) < 2 or not all(lots) or sum(map(len, at.values())) > len(np.unique(levels)):
         return []
-    return [
+    text = (
         f"lots {', '.join(map(repr, at))} were tested at pressures of their own: their "
         "difference cannot be separated from the effect of pressure; test one pressure on all of "
         "them"
-    ]
+    )
+    head = f"{len(at)} lots were tested at pressures of their own"
+    return [Misfit(text, head, "Test one pressure on all lots.")]
 
 
 def _from_repeat_to_repeat(listed: Integers, points: CurvePoints) -> list[str]:
@@ -122,11 +129,13 @@ def _from_repeat_to_repeat(listed: Integers, points: CurvePoints) -> list[str]:
     error = float(np.sqrt(left / (place @ place)))
     if abs(slope) < max(_MATTERS, two_sided(freedom, _LEVEL) * error):
         return []
-    return [
+    text = (
         f"friction changes by {100 * np.expm1(slope):+.1f} % (standard error {100 * error:.1f} %) "
         "from a test to the next of its pressure in the plan: if they were done in this order the "
         "sample wears, or the rig drifts; say the order (order or date in each [[test]])"
-    ]
+    )
+    head = f"friction changes by {100 * np.expm1(slope):+.1f} % from a repeat to the next"
+    return [Misfit(text, head, _SAY)]
 
 
 def _trend(
@@ -148,11 +157,15 @@ def _trend(
     error = float(np.sqrt(variance * np.linalg.inv(rows.T @ rows)[-1, -1]))
     change = float(found[-1])
     if abs(change) > max(_MATTERS, two_sided(freedom + USUAL_WEIGHT - 1.0, _LEVEL) * error):
-        return [
+        text = (
             f"friction changes by {100 * np.expm1(change):+.0f} % from the first test to the last, "
             f"what pressure does taken off (standard error {100 * error:.1f} %): the sample wears, "
             "or the rig drifts; repeat the first test, or take a new sample for each"
-        ], []
+        )
+        head = (
+            f"friction changes by {100 * np.expm1(change):+.0f} % from the first test to the last"
+        )
+        return [Misfit(text, head, "Repeat the first test, or take a new sample for each.")], []
     return [], [
         "friction shows no significant trend with the order of the tests: "
         f"{100 * np.expm1(change):+.0f} % from the first to the last, standard error "

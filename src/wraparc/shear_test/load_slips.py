@@ -12,6 +12,7 @@ import numpy as np
 from wraparc.arrays import Array, Flags
 from wraparc.catalogue import design_friction
 from wraparc.shear_test.analysis import TestResult
+from wraparc.shear_test.misfit import Misfit
 from wraparc.shear_test.plan import TestPlan
 from wraparc.shear_test.pressure_fit import CurvePoints
 from wraparc.units import in_each, quantity
@@ -43,7 +44,7 @@ def load_questions(tests: Sequence[TestResult], points: CurvePoints, flagged: Fl
     flagged
         Which disagree with their repeats; a test that agrees with some is not asked about.
     """
-    found = []
+    found: list[str] = []
     for k, test in enumerate(tests):
         others = np.arange(len(tests)) != k
         repeated = bool((points.level[others] == points.level[k]).any())
@@ -51,7 +52,10 @@ def load_questions(tests: Sequence[TestResult], points: CurvePoints, flagged: Fl
             continue
         text = _question(points.only(others), float(points.pressure[k]), float(points.value[k, 1]))
         if text:
-            found.append(f"{test.name}: {text}")
+            action = "See pressure, force and their units of this test."
+            found.append(
+                Misfit(f"{test.name}: {text}", f"{text.headline} ({test.test.file})", action)
+            )
     return found
 
 
@@ -87,7 +91,9 @@ def set_questions(plan: TestPlan, tests: Sequence[TestResult]) -> list[str]:
             f", and sample_area: {_area(plan.rig.area)} as input, "
             f"{_area(plan.rig.area * factor)} would agree"
         )
-    return [f"{text}. The measured force was used"]
+    head = f"the measured normal force is {factor:.3g} times what was set"
+    action = "Check column and unit of the normal force, and sample_area."
+    return [Misfit(f"{text}. The measured force was used", head, action)]
 
 
 def _area(value: float) -> str:
@@ -119,40 +125,47 @@ def surface_questions(surface: str, condition: str, peaks: Array, faces: int) ->
     mean = float(np.exp(np.log(peaks).mean()))
     if low <= mean <= high:
         return []
-    return [
+    text = (
         f"its mean peak friction, {mean:.3g}, is outside the {low:.3g} to {high:.3g} that "
         f"{surface} usually has (from the design values of CEMA and DIN 22101 to "
         f"{_MOST_OVER_DESIGN:g} times the highest): do {faces} of its faces slide, "
         "and is sample_area that of one face?"
-    ]
+    )
+    head = f"mean peak friction {mean:.3g} is outside the {low:.3g} to {high:.3g} of {surface}"
+    return [Misfit(text, head, "Check faces, sample_area and the unit of the force.")]
 
 
-def _question(others: CurvePoints, pressure: float, ln_friction: float) -> str:
+def _question(others: CurvePoints, pressure: float, ln_friction: float) -> Misfit:
     at = np.log(others.level_pressures)
     means = np.array([others.value[others.level == k, 1].mean() for k in np.unique(others.level)])
     beyond = max(at[0] - np.log(pressure), np.log(pressure) - at[-1])
     alone = len(at) >= _SEVERAL and beyond > _FAR  # what may be so far off proves nothing
     if not alone and _off(at, means, np.log(pressure), ln_friction) < _OFF:
-        return ""
+        return Misfit("")
     friction = np.exp(ln_friction)
     for factor in _both(_LOAD_FACTORS):
         p = np.log(pressure * factor)
         inside = at[0] - 0.05 < p < at[-1] + 0.05
         if inside and _off(at, means, p, ln_friction - np.log(factor)) < _FITS:
-            return (
+            text = (
                 f"was its pressure {quantity(np.exp(p), 'pressure')}, not "
                 f"{quantity(pressure, 'pressure')}? At "
                 f"{quantity(np.exp(p), 'pressure')} its force would fit the other tests (friction "
                 f"{friction / factor:.3g} instead of {friction:.3g}); see the pressure or normal "
                 "force in the plan and its unit"
             )
+            own, other = (quantity(q, "pressure") for q in (pressure, float(np.exp(p))))
+            return Misfit(text, f"a force as of {other}, not of {own}")
     for factor in () if alone else _both(_PULL_FACTORS):
         if _off(at, means, np.log(pressure), ln_friction + np.log(factor)) < _FITS:
-            return (
+            text = (
                 f"its friction of {friction:.3g} would fit the other tests if its force were "
                 f"{_times(factor)}; see unit and factor of the force, and how many faces slid"
             )
-    return ""
+            return Misfit(
+                text, f"friction {friction:.3g} would fit if its force were {_times(factor)}"
+            )
+    return Misfit("")
 
 
 def _both(factors: Sequence[float]) -> list[float]:

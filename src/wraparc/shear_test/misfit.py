@@ -31,6 +31,12 @@ _SUDDEN = 0.02
 _SHOWN = 0.7
 #: What a sentence is about that says nothing against the curve itself.
 OTHER_PRESSURE = "other pressure"
+#: What a sentence is about that says how much of a curve the law leaves.
+REMAINDER = "remainder"
+#: What a sentence is about that says friction is at its peak at once.
+JUMP = "jump"
+_RUBBING = "Measure what the rig rubs without a sample, and take it off."
+_START = "Start the record before the pull, and check where its travel starts."
 
 
 class Sentence(NamedTuple):
@@ -109,7 +115,8 @@ def judged_fit(
             f"the first reading already has {share:.0f} % of the maximum friction: the rise from "
             "zero was not recorded, and the slip before it is not known"
         )
-        misfit.append(Sentence("late start", text))
+        head = f"the first reading has {share:.0f} % of the maximum friction"
+        misfit.append(Sentence("late start", text, head, "Start the record before the pull."))
     misfit += _jump(fit, curve) + _remainder(fit, curve, top)
     misfit += _not_a_zero(curve, top)
     zero = abs(fit.parameters.zero)
@@ -118,7 +125,8 @@ def judged_fit(
             f"before the slip starts the force is {100 * zero / top:.1f} % of its maximum: "
             "more than an error of its zero; the rig itself may rub"
         )
-        misfit.append(Sentence("rubbing", text))
+        head = f"force before the slip is {100 * zero / top:.1f} % of its maximum"
+        misfit.append(Sentence("rubbing", text, head, _RUBBING))
     return JudgedFit(fit=fit, misfit=tuple(misfit), remarks=_remarks(fit, curve, top))
 
 
@@ -132,7 +140,8 @@ def _not_a_zero(curve: FrictionCurve, top: float) -> list[Sentence]:
         "its zero, so nothing was taken off; the rig may rub or the sample may have been under "
         "load, and the intervals include both"
     )
-    return [Sentence("rubbing", text)]
+    head = f"force before the slip is {200 * curve.zero_unknown / top:.0f} % of its maximum"
+    return [Sentence("rubbing", text, head, _RUBBING)]
 
 
 def _zero_carried_off(fit: CurveFit, curve: FrictionCurve, top: float) -> bool:
@@ -157,7 +166,8 @@ def _lash_held(
             "rig can have: the lash was fixed there, and the law does not describe the start"
         )
         held = fit_curve(curve, bending=bending, lash=largest, held=free.held)
-        return held, [Sentence("large lash", sentence)]
+        head = f"lash of {quantity(lash, 'length')} exceeds the {most} of the rig"
+        return held, [Sentence("large lash", sentence, head, "Check clamps, or give largest_lash.")]
     negative = lash < -2.0 * error and lash < -1e-3 * curve.travel[-1]
     if negative and not _loaded(curve, free, top):
         sentence = (
@@ -165,7 +175,8 @@ def _lash_held(
             "rises faster from its start than the law does; the lash was fixed at 0"
         )
         held = fit_curve(curve, bending=bending, lash=0.0, held=free.held)
-        return held, [Sentence("lash of wrong sign", sentence)]
+        head = "friction rises faster at its start than the law"
+        return held, [Sentence("lash of wrong sign", sentence, head, _START)]
     if negative and lash < -largest - 2.0 * error:
         sentence = (
             f"the curve requires {quantity(-lash, 'length')} of slip before the record starts, "
@@ -173,7 +184,8 @@ def _lash_held(
             "does not describe the start"
         )
         held = fit_curve(curve, bending=bending, lash=0.0, held=free.held)
-        return held, [Sentence("slip before the record", sentence)]
+        head = f"the record starts {quantity(-lash, 'length')} behind the start of slip"
+        return held, [Sentence("slip before the record", sentence, head, _START)]
     return free, []
 
 
@@ -200,7 +212,8 @@ def _jump(fit: CurveFit, curve: FrictionCurve) -> list[Sentence]:
         "readings): the law's rise rests on next to nothing, and a constant friction describes "
         "the curve as well"
     )
-    return [Sentence("jump", text)]
+    head = f"friction is at its peak within {quantity(peak, 'length', 2)} of slip"
+    return [Sentence(JUMP, text, head, "Check that the sample slides, and what measures travel.")]
 
 
 def noise_levels(fit: CurveFit, curve: FrictionCurve) -> float:
@@ -236,7 +249,7 @@ def _remainder(fit: CurveFit, curve: FrictionCurve, top: float) -> list[Sentence
         f"({_in_levels(levels)}), maximum "
         f"({means[worst]:+.3f}) near {place} of slip"
     )
-    return [Sentence("remainder", text)]
+    return [Sentence(REMAINDER, text)]
 
 
 def _in_levels(levels: float) -> str:

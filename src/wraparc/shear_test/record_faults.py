@@ -101,7 +101,8 @@ def without_repeats(record: MachineRecord) -> tuple[MachineRecord, list[Fault]]:
         normal_force=None if record.normal_force is None else record.normal_force[keep],
         time=None if record.time is None else record.time[keep],
     )
-    return one, [Fault("repeated rows", text)]
+    head = "rows of its file stand there twice"
+    return one, [Fault("repeated rows", text, head, "Use the file as the machine wrote it.")]
 
 
 def saturated(values: Array, travel: Array) -> int:
@@ -174,7 +175,8 @@ def travel_faults(record: MachineRecord, rows: Integers, direction: int) -> list
             "the "
             "force rises: the slip under it is not known"
         )
-    faults = [Fault("travel at its end", text) for text in found]
+    head, action = "travel is constant over many readings", "Check the range of the travel sensor."
+    faults = [Fault("travel at its end", text, head, action) for text in found]
     return faults + _gap(travel, record.lines[rows])
 
 
@@ -219,7 +221,8 @@ def _gap(travel: Array, lines: Integers) -> list[Fault]:
         f"readings are missing {where}, the most behind line {int(lines[k])}: {share:.0f} % of the "
         "travel has none, and the law there is drawn between its neighbours"
     )
-    return [Fault("missing readings", text)]
+    head = f"readings are missing over {share:.0f} % of the travel"
+    return [Fault("missing readings", text, head, "Use the whole record, or repeat the test.")]
 
 
 def swing(travel: Array, friction: Array, top: float, *, said: bool = False) -> Swing | None:
@@ -329,7 +332,8 @@ def stall(travel: Array, friction: Array, top: float, onset: float) -> list[Faul
         f"after it, by {100 * most / top:.0f} % of its maximum: slack was taken up again, "
         "or the stroke stopped"
     )
-    return [Fault("stall", text)]
+    head = f"friction stops rising at {where} of travel"
+    return [Fault("stall", text, head, "Check clamps and drive of the rig, and repeat the test.")]
 
 
 def envelope(friction: Array, readings: int, which: str) -> Integers:

@@ -6,6 +6,7 @@ import numpy as np
 
 from wraparc.arrays import Integers
 from wraparc.shear_test.analysis import TestResult
+from wraparc.shear_test.misfit import Misfit
 from wraparc.shear_test.pressure_fit import CurvePoints
 from wraparc.shear_test.record import MachineRecord
 from wraparc.units import in_each
@@ -15,6 +16,7 @@ _APART = 1.5
 _BLOCKS = 20
 # Differences of friction below this, or below twice their standard error, are none. Ours.
 _LEAST = 0.02
+_OWN = "Give each speed a condition of its own."
 
 
 def measured_speed(record: MachineRecord) -> float | None:
@@ -63,9 +65,13 @@ def speed_sentences(
     told
         Whether what speed does was taken off the curves, and said.
     """
-    misfit = [
-        f"{test.name}: the plan says {per_minute(test.test.speed)}, time and travel of the file "
-        f"say {per_minute(measured)}"
+    misfit: list[str] = [
+        Misfit(
+            f"{test.name}: the plan says {per_minute(test.test.speed)}, time and travel of the "
+            f"file say {per_minute(measured)}",
+            f"the plan says {per_minute(test.test.speed)}, the files {per_minute(measured)}",
+            "Correct the speed in the plan, or the unit of the time.",
+        )
         for test in tests
         if test.test.speed and (measured := measured_speed(test.record))
         if not 1.0 / _APART < measured / test.test.speed < _APART
@@ -86,7 +92,8 @@ def speed_sentences(
         text += (
             f", and no pressure was tested at both ends, so what speed does is not known: {advice}"
         )
-        return [*misfit, text], []
+        head = f"tests at {len(speeds)} speeds share one law"
+        return [*misfit, Misfit(text, head, _OWN)], []
     mean = float(np.mean(differences))
     error = float(np.std(differences)) / np.sqrt(max(len(differences) - 1, 1))
     text += (
@@ -94,7 +101,8 @@ def speed_sentences(
         f"that at {per_minute(speeds[0])}; they were not taken as repeats of each other"
     )
     if abs(mean) > max(_LEAST, 2.0 * error):
-        return [*misfit, f"{text}; {advice}"], []
+        head = f"friction differs by {100 * np.expm1(mean):+.0f} % between the speeds of the tests"
+        return [*misfit, Misfit(f"{text}; {advice}", head, _OWN)], []
     return misfit, [text]
 
 
