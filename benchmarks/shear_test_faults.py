@@ -22,8 +22,11 @@ from wraparc.answer.shear_test_tables import verdict
 from wraparc.checks import Level
 from wraparc.errors import InputError
 from wraparc.shear_test import MachineRecord, PlannedTest, PlanResult, Rig, TestPlan, fit_plan
+from wraparc.shear_test.apart import drawn
 from wraparc.shear_test.budget import Uncertainty
+from wraparc.shear_test.consistency import USUAL
 from wraparc.shear_test.digitised import with_curves
+from wraparc.shear_test.one_way import step_over_pressure
 from wraparc.shear_test.plan import Digitised
 from wraparc.units import in_units
 
@@ -715,6 +718,52 @@ def sounds(count: int, readings: int) -> Iterable[str]:
     yield f"intervals: {sum(held)} of {len(held)} hold ({100 * np.mean(held):.1f} %)\n"
 
 
+COURSES: dict[str, Callable[[Any, Array], Array]] = {
+    "a power": lambda rng, p: -rng.uniform(0.15, 0.35) * np.log(p / 1e5),
+    "contact saturates": lambda rng, p: (
+        -rng.uniform(0.3, 0.8) * np.log1p(p / rng.uniform(5e4, 5e5))
+    ),
+    "a constant part": lambda rng, p: np.log(
+        rng.uniform(0.2, 0.6) + rng.uniform(0.2, 1.0) * (p / 1e5) ** -rng.uniform(0.5, 1.0)
+    ),
+    "two pieces": lambda _, p: np.log(np.interp(p, [34e3, 172e3, 690e3], [1.3, 0.86, 0.385])),
+}
+STEPS: dict[str, Callable[[int], Array]] = {
+    "-": np.zeros,
+    "18 % less from a pressure on": lambda n: np.log(0.82) * (np.arange(n) >= n // 2),
+    "18 % more from a pressure on": lambda n: np.log(1.18) * (np.arange(n) >= n // 2),
+    "one pressure 12 % less": lambda n: np.log(0.88) * (np.arange(n) == n // 2),
+    "7 % more from a pressure on": lambda n: np.log(1.07) * (np.arange(n) >= n // 2),
+}
+
+
+def stepped(course: str, step: str, count: int, scatter: float, rng: Any) -> bool:
+    """Draw peaks of two samples a pressure, no curves, and return whether a step is told."""
+    inner = sorted(rng.choice(np.arange(1, 7), count - 2, replace=False).tolist())
+    levels = np.array([PRESSURES[k] for k in (0, *inner, 7)])
+    mean = COURSES[course](rng, levels) + STEPS[step](count)
+    peaks = mean[:, None] + scatter * rng.normal(size=(count, 2))
+    squares = [float(((own - own.mean()) ** 2).sum()) for own in peaks]
+    variance, freedom = drawn(squares, [1] * count, USUAL)
+    found = step_over_pressure(levels, peaks.mean(axis=1), np.full(count, variance / 2), freedom)
+    return found is not None
+
+
+def steps(count: int) -> Iterable[str]:
+    """Rows on steps over pressure: how many are told, of sound courses and of stepped ones."""
+    yield f"\n### Steps over pressure, {count} drawn laboratories a cell\n"
+    yield "| course | step | scatter | 4 | 5 | 6 | 8 pressures |\n|---|---|---|---|---|---|---|"
+    cases = [(course, "-", scatter) for course in COURSES for scatter in (0.02, 0.04)]
+    cases += [("a power", step, 0.02) for step in STEPS if step != "-"]
+    rng = np.random.default_rng(1)
+    for course, step, scatter in cases:
+        cells = [
+            f"{100 * np.mean([stepped(course, step, n, scatter, rng) for _ in range(count)]):.1f} %"
+            for n in (4, 5, 6, 8)
+        ]
+        yield f"| {course} | {step} | {100 * scatter:.0f} % | {' | '.join(cells)} |"
+
+
 def faults(kind: str, count: int, readings: int) -> str:
     """Row on a kind of fault: how many are told OK, and what the others are called most."""
     missed = 0
@@ -734,6 +783,8 @@ def rows(arguments: argparse.Namespace) -> Iterable[str]:
     """Rows of the tables."""
     if arguments.figures:
         yield from figures(arguments.figures)
+    if arguments.steps:
+        yield from steps(arguments.steps)
     for readings in arguments.readings:
         yield f"\n### {readings} readings, {arguments.laboratories} laboratories a kind\n"
         if arguments.sound:
@@ -753,6 +804,7 @@ def main() -> None:
     parser.add_argument("--readings", type=int, nargs="*", default=(250,))
     parser.add_argument("--sound", type=int, default=0, help="sound laboratories")
     parser.add_argument("--figures", type=int, default=0, help="figures of clicked points")
+    parser.add_argument("--steps", type=int, default=0, help="peaks with steps over pressure")
     parser.add_argument("--kind", nargs="*", default=(), help="parts of names of kinds")
     parser.add_argument("--table", default=None, help="append the tables to this file")
     arguments = parser.parse_args()

@@ -3,6 +3,7 @@
 Laboratories of closed forms (benchmarks/shear_test_faults.py), no code of the package in them.
 """
 
+import re
 from typing import Any
 
 import numpy as np
@@ -50,6 +51,40 @@ def test_a_fault_that_the_data_show_is_named(kind: str) -> None:
     assert told.level is Level.ATTENTION
     lines = [told.text, *(also.text for also in told.also), *result.misfit]
     assert any(NAMED[kind] in in_units(line) for line in lines)
+
+
+@pytest.mark.parametrize(
+    ("kind", "seed", "named"),
+    [
+        # two of eight pressures apart, which hid each other
+        ("repeats apart by 30 % in slip", 4, "Slips of repeats are 35 % apart"),
+        ("18 % more friction from a pressure on", 2, "Friction steps"),
+        ("samples scatter by 14 %", 5, "Samples scatter by"),
+        # one zero drifts by 15 % of the force, 23 % less friction behind the peak becomes 8
+        ("zero drifts by 15 % in one test", 5, "Behind the peak t00 changes by -"),
+    ],
+)
+def test_faults_that_hide_in_the_scatter_they_make(kind: str, seed: int, named: str) -> None:
+    told = verdict(bench().faulty(kind, seed, 250))
+    lines = [told.text.removeprefix("Fit rejected: ").capitalize(), *(a.text for a in told.also)]
+    assert any(in_units(line).startswith(named) for line in lines)
+
+
+@pytest.mark.parametrize(
+    ("kind", "seed"), [("samples scatter by 14 %", 1), ("friction at its peak at once", 4)]
+)
+def test_a_number_that_says_nothing_is_not_shown(kind: str, seed: int) -> None:
+    """No slip that no reading shows, and no remainder of curves that leave none."""
+    result = bench().faulty(kind, seed, 250)
+    told = verdict(result)
+    lines = [told.text, *(also.text for also in told.also), *result.misfit]
+    for line in map(in_units, lines):
+        assert "inf" not in line
+        assert " 0.0 %" not in line
+        assert not re.search(r"nan|\d{7}", line)
+    assert len(in_units(told.text).split()) <= 17  # a number with its unit is one word
+    assert told.action is not None
+    assert "fit again" not in told.action.text
 
 
 def test_sound_laboratories_are_not_accused() -> None:

@@ -36,7 +36,7 @@ REMAINDER = "remainder"
 #: What a sentence is about that says friction is at its peak at once.
 JUMP = "jump"
 _RUBBING = "Measure what the rig rubs without a sample, and take it off."
-_START = "Start the record before the pull, and check where its travel starts."
+_START = "Start the record before the stroke, and check where its travel starts."
 
 
 class Sentence(NamedTuple):
@@ -116,7 +116,7 @@ def judged_fit(
             "zero was not recorded, and the slip before it is not known"
         )
         head = f"the first reading has {share:.0f} % of the maximum friction"
-        misfit.append(Sentence("late start", text, head, "Start the record before the pull."))
+        misfit.append(Sentence("late start", text, head, "Start the record before the stroke."))
     misfit += _jump(fit, curve) + _remainder(fit, curve, top)
     misfit += _not_a_zero(curve, top)
     zero = abs(fit.parameters.zero)

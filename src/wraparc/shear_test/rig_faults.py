@@ -8,13 +8,14 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from wraparc.arrays import Array, Flags
+from wraparc.arrays import Array
 from wraparc.shear_test.analysis import Findings, TestResult
-from wraparc.shear_test.consistency import USUAL, USUAL_WEIGHT
-from wraparc.shear_test.misfit import Misfit
+from wraparc.shear_test.apart import are_apart, drawn, repeats_of
+from wraparc.shear_test.consistency import USUAL
+from wraparc.shear_test.misfit import JUMP, Misfit
+from wraparc.shear_test.one_way import step_over_pressure
 from wraparc.shear_test.plan import TestPlan
 from wraparc.shear_test.record_faults import excess_kurtosis
-from wraparc.shear_test.student import two_sided
 from wraparc.units import quantity
 
 # Slope of ln force over ln pressure of a force that does not rise, and of the peak slip over
@@ -22,12 +23,15 @@ from wraparc.units import quantity
 _NO_RISE, _EARLIER, _APART = 0.12, -0.25, 1.25
 # Range of one force at three pressures or more, whatever their slips [-]. Ours.
 _ONE_FORCE = 0.015
-# Step or dent of ln mu over pressure that is asked about, how sure it must be, and what no trend
-# through a few pressures follows. Ours.
-_STEP, _STEP_LEVEL, _TREND = 0.05, 0.98, 0.015
 # Repeats apart in slip: least difference of ln x_pk, how often a sound laboratory is accused, and
-# the standard deviation between samples from which slips are not of one kind. Ours.
-_SLIPS, _SLIP_ALARM, _LOOSE_SLIP = 0.12, 0.005, 0.12
+# the standard deviation between samples from which slips are not of one kind; slip over that of the
+# peak that shows where it is. Ours.
+_SLIPS, _SLIP_ALARM, _LOOSE_SLIP, _REACHED = 0.12, 0.01, 0.10, 0.8
+_DOUBLE = float(np.log(2.0))  # from which slips are a factor apart, not per cents
+# Repeats apart behind the peak: usual standard deviation and least difference of what friction
+# changes by over the tested slip [-]; where the tail begins, its least length, both over the slip
+# of the peak, and its least number of readings. Ours.
+_USUAL_TAIL, _TAILS, _BEHIND, _LONG, _TAIL = 0.015, 0.08, 1.05, 1.15, 12
 # A force that stands in all tests, over the largest of the lightest, and over its error. Ours.
 _STANDS, _SURE = 0.01, 5.0
 # A share of the force that stands in all tests. Ours.
@@ -51,6 +55,7 @@ def rig_sentences(plan: TestPlan, found: Findings) -> list[str]:
         *given,
         *([] if given else _step(found)),
         *_slips_apart(found),
+        *_tails_apart(found),
         *_standing(found.tests),
         *_aliased(found.tests),
     ]
@@ -104,56 +109,22 @@ def _force_per_pressure(found: Findings) -> float:
 
 def _variance(found: Findings) -> tuple[float, float]:
     """Variance of ln mu_pk between samples, drawn towards a usual one; its degrees of freedom."""
-    return _drawn(found, 1, ~found.flagged)
-
-
-def _drawn(found: Findings, which: int, use: Flags) -> tuple[float, float]:
-    squares, freedom = 0.0, 0
-    for k in np.unique(found.levels[use]):
-        own = found.points.value[(found.levels == k) & use, which]
-        squares += float(((own - own.mean()) ** 2).sum())
-        freedom += len(own) - 1
-    variance = (squares + USUAL_WEIGHT * USUAL**2) / (freedom + USUAL_WEIGHT)
-    return variance, freedom + USUAL_WEIGHT - 1.0
+    good = ~found.flagged
+    own = [found.points.value[(found.levels == k) & good, 1] for k in np.unique(found.levels[good])]
+    squares = [float(((v - v.mean()) ** 2).sum()) for v in own]
+    return drawn(squares, [len(v) - 1 for v in own], USUAL)
 
 
 def _step(found: Findings) -> list[str]:
-    """A step or a dent of friction over pressure, beyond what repeats allow.
-
-    Against a parabola (of four pressures a line) of ln mu over ln p, by Student's t; only where the
-    slopes go down and up again there, as those of no smooth law do, for a law that bends is
-    no step.
-    """
+    """A step or a dent of friction over pressure, beyond what repeats allow."""
     pressure, values, counts = _means(found)
-    count = len(pressure)
-    if count < 4:
-        return []
-    x, y = np.log(pressure), values[:, 1]
-    at = (x - x.mean()) / np.ptp(x)
-    base = np.vander(at, 3 if count > 4 else 2)
     variance, freedom = _variance(found)
-    weights = np.sqrt(1.0 / (variance / counts + _TREND**2))
-    slopes = np.diff(y) / np.diff(x)
-    shapes = [(k, np.arange(count) > k) for k in range(1, count - 2)]
-    shapes += [(k, np.arange(count) == k) for k in range(1, count - 1)]
-    sure = two_sided(freedom, 1.0 - (1.0 - _STEP_LEVEL) / len(shapes))
-    best: tuple[float, float, int, bool] | None = None
-    for k, shape in shapes:
-        design = np.column_stack([base, shape]) * weights[:, None]
-        size = float(np.linalg.lstsq(design, y * weights, rcond=None)[0][-1])
-        error = float(np.sqrt(np.linalg.inv(design.T @ design)[-1, -1]))
-        is_dent = int(shape.sum()) == 1 and k < count - 1 and bool(shape[k])
-        t = abs(size) / error
-        if abs(size) < _STEP or t < sure or not _breaks(slopes, x, k, size, is_dent):
-            continue
-        if best is None or t > best[0]:
-            best = (t, size, k, is_dent)
-    if best is None:
+    step = step_over_pressure(pressure, values[:, 1], variance / counts, freedom)
+    if step is None:
         return []
-    _, size, k, is_dent = best
-    low, high = (quantity(float(pressure[j]), "pressure") for j in (k, k + 1))
-    way = f"{100 * abs(np.expm1(size)):.0f} % {'higher' if size > 0.0 else 'lower'}"
-    where = f"at {low}" if is_dent else f"from {high} on"
+    at = quantity(float(pressure[step.pressure]), "pressure")
+    way = f"{100 * abs(np.expm1(step.size)):.0f} % {'higher' if step.size > 0.0 else 'lower'}"
+    where = f"at {at}" if step.is_dent else f"from {at} on"
     text = (
         f"friction is {way} {where} than the trend of the other pressures, more than repeats "
         "allow: damp or warm samples, another batch, another load cell or other weights?"
@@ -162,72 +133,71 @@ def _step(found: Findings) -> list[str]:
     return [Misfit(text, head, "Check samples, cell and weights there, and repeat a pressure.")]
 
 
-def _breaks(slopes: Array, x: Array, k: int, size: float, is_dent: bool) -> bool:
-    """Whether slopes of ln mu leave those on both sides, as no law that bends one way does."""
-    steps = np.diff(x)
-
-    def leaves(j: int, sign: float) -> bool:
-        """Slope between pressures j and j + 1, beyond both of its neighbours by half the size."""
-        beside = [slopes[i] for i in (j - 1, j + 1) if 0 <= i < len(slopes)]
-        nearest = max(beside) if sign > 0.0 else min(beside)
-        off = sign * (slopes[j] - nearest) * steps[j]
-        return len(beside) == 2 and off > 0.4 * abs(size)
-
-    sign = float(np.sign(size))
-    if not is_dent:
-        return leaves(k, sign)
-    inner = [(j, s) for j, s in ((k - 1, sign), (k, -sign)) if 0 < j < len(slopes) - 1]
-    return bool(inner) and all(leaves(j, s) for j, s in inner)
-
-
 def _slips_apart(found: Findings) -> list[str]:
     """Repeats that differ in slip, not in friction."""
-    use = ~found.flagged & np.array([t.fit.peak_inside for t in found.tests])
-    values = found.points.value
-    worst: tuple[float, int, int] | None = None
-    repeated = [k for k in np.unique(found.levels) if int(((found.levels == k) & use).sum()) > 1]
-    for k in repeated:
-        own = np.flatnonzero((found.levels == k) & use)
-        variance, freedom = _drawn(found, 0, use & (found.levels != k))
-        low, high = own[np.argmin(values[own, 0])], own[np.argmax(values[own, 0])]
-        off = float(values[high, 0] - values[low, 0])
-        noise = float(found.points.covariance[[low, high], 0, 0].sum())
-        sure = two_sided(freedom, 1.0 - _SLIP_ALARM / len(repeated))
-        if off > max(_SLIPS, sure * np.sqrt(2.0 * variance + noise)) and (
-            worst is None or off > worst[0]
-        ):
-            worst = (off, int(low), int(high))
-    if worst is None and len(repeated) > 2:
-        worst = _loose_slips(found, use, repeated)
-    if worst is None:
-        return []
-    off, low, high = worst
+    use = ~found.flagged & np.array([_shows_slip(t) for t in found.tests])
+    points = found.points
+    repeats = repeats_of(points.value[:, 0], points.covariance[:, 0, 0], found.levels, use)
+    if not are_apart(repeats, USUAL, _SLIPS, _SLIP_ALARM):
+        squares = [max(r.squares / r.freedom - 0.5 * r.noise, 0.0) for r in repeats]
+        if len(repeats) < 3 or float(np.mean(squares)) < _LOOSE_SLIP**2:
+            return []
+    off, low, high = repeats[0][:3]
     names = [found.tests[j].test.file for j in (low, high)]
-    slips = [quantity(float(np.exp(values[j, 0])), "length") for j in (low, high)]
+    slips = [quantity(float(np.exp(found.points.value[j, 0])), "length") for j in (low, high)]
+    apart = f"{100 * np.expm1(off):.0f} %" if off < _DOUBLE else f"a factor of {np.exp(off):.2g}"
     text = (
-        f"{names[0]} and {names[1]} are repeats, and their peaks are {100 * np.expm1(off):.0f} % "
+        f"{names[0]} and {names[1]} are repeats, and their peaks are {apart} "
         f"apart in slip ({slips[0]} and {slips[1]}), not in friction: see thickness and clamping "
         "of the samples, and what measured the travel"
     )
-    head = f"slips of repeats are {100 * np.expm1(off):.0f} % apart ({names[0]}, {names[1]})"
+    head = f"slips of repeats are {apart} apart ({names[0]}, {names[1]})"
     return [Misfit(text, head, "Check thickness, clamps and travel of these repeats.")]
 
 
-def _loose_slips(
-    found: Findings, use: Flags, repeated: Sequence[int]
-) -> tuple[float, int, int] | None:
-    """The widest of repeats of which none agrees with its own."""
-    values, noise = found.points.value, found.points.covariance
-    squares = [
-        float(np.var(values[own, 0], ddof=1) - noise[own, 0, 0].mean())
-        for k in repeated
-        if len(own := np.flatnonzero((found.levels == k) & use)) > 1
-    ]
-    if float(np.mean(squares)) < _LOOSE_SLIP**2:
-        return None
-    own = np.flatnonzero((found.levels == repeated[int(np.argmax(squares))]) & use)
-    low, high = own[np.argmin(values[own, 0])], own[np.argmax(values[own, 0])]
-    return float(values[high, 0] - values[low, 0]), int(low), int(high)
+def _shows_slip(test: TestResult) -> bool:
+    """Whether a curve shows where its peak is: near the tested slip, and not at its first."""
+    fit = test.fit
+    reached = fit.peak_inside or fit.slip_max > _REACHED * fit.parameters.peak_slip
+    return reached and not any(s.about == JUMP for s in test.judged.misfit)
+
+
+def _tails_apart(found: Findings) -> list[str]:
+    """Repeats of which one goes on to rise or fall behind the peak, and the other does not.
+
+    What friction changes by over the tested slip, of its peak, from the straight line through the
+    readings behind the peaks of the pressure. A cell whose zero drifts during the stroke makes it,
+    and a sample that warms or wears within it.
+    """
+    count = len(found.tests)
+    change, noise, use = np.zeros(count), np.zeros(count), ~found.flagged
+    for level in np.unique(found.levels):
+        own = np.flatnonzero(found.levels == level)
+        fits = [found.tests[k].fit for k in own]
+        begin = _BEHIND * max(f.parameters.peak_slip for f in fits)
+        end = min(f.slip_max for f in fits)
+        for k, fit in zip(own, fits, strict=True):
+            curve, top = found.tests[k].curve, fit.parameters.peak_friction
+            slip = curve.travel - fit.parameters.lash - fit.bending * curve.friction
+            behind = (slip > begin) & (slip < end)
+            use[k] &= end > _LONG * begin and int(behind.sum()) >= _TAIL
+            if use[k]:
+                x = slip[behind] - slip[behind].mean()
+                change[k] = float(x @ curve.friction[behind] / (x @ x)) * end / top
+                noise[k] = (curve.noise * end / top) ** 2 / float(x @ x)
+    repeats = repeats_of(change, noise, found.levels, use)
+    if not are_apart(repeats, _USUAL_TAIL, _TAILS, _SLIP_ALARM):
+        return []
+    _, low, high = repeats[0][:3]
+    names = [found.tests[k].test.file for k in (low, high)]
+    by = [f"{100 * change[k]:+.0f} %" for k in (low, high)]
+    text = (
+        f"{names[0]} and {names[1]} are repeats, and behind their peaks friction changes by "
+        f"{by[0]} and {by[1]} over the tested slip, more unlike than that of the others: the zero "
+        "of the cell drifts during a stroke, or a sample warms or wears within it"
+    )
+    head = f"behind the peak {names[0]} changes by {by[0]}, repeat {names[1]} by {by[1]}"
+    return [Misfit(text, head, "Read the cell's zero before and after each stroke.")]
 
 
 def _standing(tests: Sequence[TestResult]) -> list[str]:

@@ -20,7 +20,7 @@ from wraparc.shear_test.pressure_fit import PressureFit
 from wraparc.shear_test.reduce import UNKNOWN_ZERO
 from wraparc.shear_test.rig_faults import rig_sentences
 from wraparc.shear_test.speeds import per_minute, speed_sentences
-from wraparc.shear_test.student import t95
+from wraparc.shear_test.student import chi_square, t95
 from wraparc.units import Cell, Dimension, per_stress, quantity
 
 _FEW = 3
@@ -28,8 +28,9 @@ _CLEARLY = 100.0
 _FAR_FROM_LAW = 3.5
 # Two standard errors of ln mu beyond which no law is relied on without a word. Ours.
 _WIDE = 0.25
-# Standard deviation of ln mu_pk between samples beyond which they are not of one kind. Ours.
-_LOOSE = 0.1
+# Standard deviation of ln mu_pk between samples beyond which they are not of one kind, and how
+# sure it must be beyond. Ours.
+_LOOSE, _LOOSE_LEVEL = 0.06, 0.95
 # Peak friction that goes up by more than this, and than chance, where it falls elsewhere. Ours.
 _RISE = 0.05
 
@@ -124,11 +125,14 @@ def _rises(law: PressureFit, found: Findings) -> list[str]:
     k = int(np.argmax(rise))
     if rise[k] <= 0.0:
         return []
-    return [
-        f"peak friction rises from {np.exp(mean[k]):.3g} at {quantity(at[k], 'pressure')} to "
-        f"{np.exp(mean[k + 1]):.3g} at {quantity(at[k + 1], 'pressure')}, and falls over all "
+    low, high = (quantity(at[j], "pressure") for j in (k, k + 1))
+    text = (
+        f"peak friction rises from {np.exp(mean[k]):.3g} at {low} to {np.exp(mean[k + 1]):.3g} "
+        f"at {high}, and falls over all "
         "pressures: see whether a set pressure, a normal force or a sample of these is another"
-    ]
+    )
+    head = f"peak friction rises from {low} to {high}, and falls over all"
+    return [Misfit(text, head, "Check pressure, normal force and samples of these two.")]
 
 
 def _wide(tests: Sequence[TestResult], law: PressureFit, found: Findings) -> list[str]:
@@ -144,18 +148,25 @@ def _wide(tests: Sequence[TestResult], law: PressureFit, found: Findings) -> lis
     half = 2.0 * error
     worst = int(np.argmax(half))
     scatter = float(np.sqrt(law.scatter[1, 1]))
-    loose = [
-        f"samples scatter by {100 * scatter:.0f} % in peak friction about the law, more than the "
-        f"{100 * _LOOSE:.0f} % of samples that are alike: see which of them differ, and why"
-    ]
+    text = (
+        f"samples scatter by {100 * scatter:.0f} % in peak friction about the law, surely more "
+        f"than the {100 * _LOOSE:.0f} % of samples that are alike: see which of them differ, and "
+        "why"
+    )
+    head = f"samples scatter by {100 * scatter:.0f} % in peak friction"
+    loose: list[str] = [Misfit(text, head, "See which samples differ, and test more of one kind.")]
     if half[worst] < _WIDE:
-        return loose if scatter > _LOOSE else []
-    return [
-        f"the law's friction at {quantity(at[worst], 'pressure')} and "
-        f"{quantity(reached[worst], 'length')} of slip is known within a factor of "
-        f"{np.exp(half[worst]):.2g} only (two standard errors): more repeats, or a look at the "
+        freedom = max(float((~found.flagged).sum()) - 0.5 * law.form.size, 1.0)
+        least = scatter * float(np.sqrt(freedom / chi_square(freedom, _LOOSE_LEVEL)))
+        return loose if least > _LOOSE else []
+    where, factor = quantity(at[worst], "pressure"), f"a factor of {np.exp(half[worst]):.2g}"
+    text = (
+        f"the law's friction at {where} and {quantity(reached[worst], 'length')} of slip is known "
+        f"within {factor} only (two standard errors): more repeats, or a look at the "
         "tests that disagree"
-    ]
+    )
+    head = f"friction at {where} is known within {factor} only"
+    return [Misfit(text, head, "Repeat tests, or see which of them disagree.")]
 
 
 def _compliance(plan: TestPlan, tests: Sequence[TestResult]) -> list[str]:
@@ -262,31 +273,37 @@ def _of_curves(tests: Sequence[TestResult], told: str) -> list[str]:
 
 
 def _repeats(tests: Sequence[TestResult], found: Findings) -> list[str]:
-    sentences = []
+    sentences: list[str] = []
     for k in np.flatnonzero(found.flagged).tolist():
         alone = not np.any((found.levels == found.levels[k]) & ~found.flagged)
         friction = tests[k].fit.parameters.peak_friction
         which = "; which of them is wrong is not known" if alone else "; it counts little"
-        sentences.append(
-            f"{tests[k].name}: disagrees with its repeats by {found.repeat_distances[k]:.1f} "
-            f"standard deviations (peak friction {friction:.3f}){which}; see whether sample, "
+        by = f"disagrees with its repeats by {found.repeat_distances[k]:.1f} standard deviations"
+        text = (
+            f"{tests[k].name}: {by} (peak friction {friction:.3f}){which}; see whether sample, "
             "load and surface were as planned"
         )
+        action = "Check sample, load and surface of these repeats, or repeat them."
+        sentences.append(Misfit(text, f"{tests[k].test.file} {by}", action))
     return sentences
 
 
 def _curves_off(tests: Sequence[TestResult], law: PressureFit, found: Findings) -> list[str]:
-    sentences = []
+    sentences: list[str] = []
+    again = "Repeat this test, or leave it out of the plan."
     for k, test in enumerate(tests):
         if found.flagged[k]:
             continue
         if law.distances[k] > _FAR_FROM_LAW:
             far = f"{law.distances[k]:.1f} standard deviations from the law of all"
-            sentences.append(f"{test.name}: lies {far}")
+            sentences.append(
+                Misfit(f"{test.name}: lies {far}", f"{test.test.file} lies {far}", again)
+            )
         elif found.lone_distances[k] > FAR:
             far = f"{found.lone_distances[k]:.1f} standard deviations from the trend of the others"
             advice = "it has no repeat: repeat it, or take it out of the plan"
-            sentences.append(f"{test.name}: lies {far} over pressure; {advice}")
+            text = f"{test.name}: lies {far} over pressure; {advice}"
+            sentences.append(Misfit(text, f"{test.test.file} lies {far}", again))
     return sentences
 
 
@@ -300,7 +317,13 @@ def _predictions(left_out: Sequence[LeftOut]) -> list[str]:
         f"{item.distance:.1f} standard deviations where chance reaches {item.limit:.1f})"
         for item in poor
     )
-    return [f"left out, these pressures are missed by the law of the others: {listed}"]
+    most = max(poor, key=lambda item: item.error / item.peak_friction)
+    head = (
+        f"the law of the other pressures misses {quantity(most.pressure, 'pressure')} by "
+        f"{100 * most.error / most.peak_friction:.0f} % of friction"
+    )
+    text = f"left out, these pressures are missed by the law of the others: {listed}"
+    return [Misfit(text, head, "Repeat this pressure, and test one on either side of it.")]
 
 
 def _in_noise(item: LeftOut) -> str:

@@ -40,9 +40,14 @@ def two_sided(freedom: float, level: float) -> float:
     return t
 
 
+def chi_square_ends(freedom: float) -> tuple[float, float]:
+    """Quantiles 2.5 % and 97.5 % of chi-square."""
+    return chi_square(freedom, 0.025), chi_square(freedom, 0.975)
+
+
 @lru_cache
-def chi_square_ends(freedom: int) -> tuple[float, float]:
-    """Quantiles 2.5 % and 97.5 % of chi-square, by bisection of the incomplete gamma series."""
+def chi_square(freedom: float, level: float) -> float:
+    """Quantile of chi-square, by bisection of the incomplete gamma series."""
 
     def below(x: float) -> float:
         """P(a, x) = x^a e^-x sum_k x^k / gamma(a + k + 1), a = freedom / 2, x = chi-square / 2."""
@@ -55,11 +60,8 @@ def chi_square_ends(freedom: int) -> tuple[float, float]:
             k += 1
         return total
 
-    def quantile(level: float) -> float:
-        low, high = 1e-9, freedom + 20.0
-        for _ in range(60):
-            middle = 0.5 * (low + high)
-            low, high = (middle, high) if below(middle) < level else (low, middle)
-        return low + high
-
-    return quantile(0.025), quantile(0.975)
+    low, high = 1e-9, freedom + 20.0
+    for _ in range(60):
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if below(middle) < level else (low, middle)
+    return low + high
