@@ -99,7 +99,7 @@ def test_tests_of_a_file_that_the_plan_leaves_out_are_on_the_first_screen(tmp_pa
     result = fitted(tmp_path, long_table(100, 120, 800), 'pressure = "100 kPa"\nblock = 1')
     told = verdict(result)
     assert told.level is Level.OK
-    assert told.also[0].text == "Not used: 2 of 3 tests of a.csv (--table files)."
+    assert told.also[0].text == "Not used: 2 of 3 tests of a.csv (table files)."
 
 
 PLAIN = "Time (s),Travel (mm),Force (N)"

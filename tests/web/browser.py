@@ -331,6 +331,8 @@ class Visitor:
         if not self.page.locator(f"#{name}").is_visible():
             turn(self.page, name)
         self.page.wait_for_selector(READY[name])
+        if name == "events":
+            self.page.evaluate("document.querySelector('#events .more:has(#e-points)').open = true")
         if name in FOLDED and unfold is not False:
             self.page.evaluate(
                 "name => document.getElementById(`${name}-details`).open = true", name

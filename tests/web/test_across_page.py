@@ -228,11 +228,12 @@ def test_a_map_of_each_quantity_and_a_slack_belt(visitor: Visitor) -> None:
         ("wrap_pressure", "Wrap pressure over wrap angle"),
         ("frictional_energy", "Frictional energy over wrap angle"),
     ):
-        page.select_option("#across-quantity", quantity)
-        expect(page.locator("#across svg.map")).to_have_attribute(
-            "aria-label", re.compile(f"^{words}")
-        )
-    expect(page.locator("#across .beside")).to_have_count(2)
+        page.locator(f"input[name=across-quantity][value={quantity}]").check(force=True)
+        expect(page.locator("#across svg.map")).to_have_attribute("aria-label", re.compile(words))
+        expect(page.locator("#across svg.widths path.course")).to_have_count(1)
+    # tension has three courses over the same width: at entry, exit and standstill
+    page.locator("input[name=across-quantity][value=tension]").check(force=True)
+    expect(page.locator("#across svg.widths path.course")).to_have_count(3)
     # a slack belt is told in the verdict
     page.click("#across .tabs button:has-text('Build-up')")
     page.fill("#shape-height", "40 mm")

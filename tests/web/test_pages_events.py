@@ -86,7 +86,7 @@ def test_a_start_of_a_shipped_tandem_plays(visitor: Visitor, tmp_path: Path) -> 
     drum = page.locator("#events svg.stage").first
     told, colours = drum.get_attribute("aria-label"), _colours(page)
     # the belt is as thick as its tension: of the strands T1 is the thicker one
-    thick = drum.locator(".strand").evaluate_all(
+    thick = drum.locator("g ~ .strand").evaluate_all(
         "(all) => all.map((e) => parseFloat(e.getAttribute('stroke-width')))"
     )
     assert thick[0] > thick[1] > 3

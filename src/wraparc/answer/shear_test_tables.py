@@ -123,7 +123,7 @@ def verdict(result: PlanResult) -> Verdict:
         count = len({problem.file for problem in result.left_out})
         text = f"{count} of {total} tests could not be used"
         text += f"; the law deviates from others ({counted(misfit)})." if misfit else "."
-        action = Action("Check the tests left out (--table left-out).")
+        action = Action("Check the tests left out (table left-out).")
         return Verdict(Level.ATTENTION, text, shown, action=action, name="fit")
     if misfit:
         heads = [s for s in misfit if isinstance(s, Misfit) and s.headline]
@@ -180,7 +180,7 @@ def _left_rows(result: PlanResult) -> tuple[Also, ...]:
         return ()
     first = next(iter(found.values()))
     more = f", and of {len(found) - 1} more files" if len(found) > 1 else ""
-    return (Also(Level.OK, f"Not used: {first}{more} (--table files)."),)
+    return (Also(Level.OK, f"Not used: {first}{more} (table files)."),)
 
 
 def _lash(result: PlanResult) -> str:

@@ -180,7 +180,7 @@ def _worst_place(
     lagging, tested, belt = pulley.lagging, pulley.lagging.law.tested, drive.belt
     pressure, stress = result.largest_pressure, float(np.max(result.peak_shear_stress))
     rows = (
-        ("uneven_pressure", "Maximum wrap pressure", "maximum wrap pressure", pressure,
+        ("uneven_pressure", "Wrap pressure", "maximum wrap pressure", pressure,
          None if tested is None else tested.pressure_max, tests_of(pulley) if tested else "",
          "Wrap pressure {value} exceeds the tested {limit}", "pressure above tests"),
         ("uneven_face_pressure", "Face pressure", "face pressure", pressure,

@@ -3,14 +3,16 @@ import { app, gripped, redraw } from "../base/design.js";
 import { aborted, ask, later, onReturn, refusal } from "../base/server.js";
 import { words } from "../base/units.js";
 import { list, standing } from "../parts/answers.js";
-import { choose } from "../parts/choose.js";
+import { oneOf } from "../parts/choose.js";
 import { checked, framed, marked, renewed, saying, silent } from "../parts/framed.js";
 import { mark } from "../parts/problems.js";
 import { judgedIf, stands, table, verdict } from "../parts/tables.js";
 import { h } from "../vendor/preact.js";
-import { acrossInputs, drawGiven, drawingOf } from "./across/inputs.js";
-import { QUANTITIES, widthPicture } from "./across/pictures.js";
+import { Face } from "./across/face.js";
+import { acrossInputs, drawGiven, kindDrawn } from "./across/inputs.js";
+import { OverWidth, readingOf } from "./across/over_width.js";
 import { questions } from "./across/questions.js";
+import { faceOf, QUANTITIES, stripWords, worst } from "./across/width.js";
 import { askedCase } from "./drive/cases.js";
 import { picks as casePicks } from "./drive/screen.js";
 import { answer, known } from "./drive/solving.js";
@@ -26,7 +28,9 @@ const state = {
   /** What the answer is of. */
   now: /** @type {unknown[]} */ ([]),
   problems: /** @type {Refused} */ ([]),
-  quantity: "frictional_energy",
+  quantity: "tension",
+  /** The strip that is pointed at; none for the worst. @type {number | null} */
+  strip: null,
   waiting: false,
 };
 export function update() {
@@ -73,14 +77,13 @@ export const Page = () => {
     {
       of: "across",
       how: now(),
-      tall: true,
       form: acrossInputs(),
       say:
         a?.even && now() === "fresh"
           ? silent("Draw the wear, or load readings.")
           : saying(told(), /** @type {any} */ (known()?.verdict), undefined, null, state.problems),
-      drawing: drawingOf(app.pulley),
-      curve: a?.map && picture(a),
+      drawing: drawing(a),
+      curve: a?.map && curve(a),
       side: a && checked("across", a.bars),
     },
     a && stands(now(), result(a), questions(), tables(a)),
@@ -96,31 +99,66 @@ function result(a) {
     list(a.remarks, "help"),
   );
 }
+/** @param {number | null} strip */
+function point(strip) {
+  if (state.strip === strip) return;
+  state.strip = strip;
+  redraw();
+}
 /** @param {any} a */
-const picture = (a) =>
-  h(
-    "section",
-    { "aria-label": "Belt unrolled over wrap angle and width", key: "picture" },
+const stripOf = (a) =>
+  state.strip != null && state.strip < a.map.position.length
+    ? state.strip
+    : worst(a, state.quantity);
+/** @param {any} a */
+function drawing(a) {
+  const kind = kindDrawn();
+  const { quantity } = state;
+  const strip = a?.map ? stripOf(a) : 0;
+  const words = a?.map && stripWords(a, strip, faceOf(quantity));
+  const name = QUANTITIES.find(([key]) => key === faceOf(quantity))?.[1].toLowerCase();
+  return [
+    h(
+      "p",
+      { class: "face-head", key: "head" },
+      words
+        ? [h("b", {}, `Strip ${words.place}: ${name} ${words.value}`), h("span", {}, words.beside)]
+        : h("b", {}, "Not solved."),
+    ),
+    h(Face, {
+      ...{ pulley: app.pulley, kind, answer: a, quantity, strip, point },
+      key: `${kind.key}${app.pulley}${app.opened}`,
+    }),
+  ];
+}
+/** @param {any} a */
+function curve(a) {
+  const { quantity } = state;
+  const strip = stripOf(a);
+  const [values, u] = readingOf(a, quantity, strip);
+  const put = (/** @type {string} */ q) => {
+    state.quantity = q;
+    redraw();
+  };
+  return [
     h(
       "div",
-      { class: "bar" },
+      { class: "curve-head", key: "head" },
+      oneOf("across-quantity", "Quantity over the width", quantity, QUANTITIES, put),
       h(
-        "label",
+        "output",
         {},
-        "Map of",
-        choose(
-          state.quantity,
-          QUANTITIES,
-          (q) => {
-            state.quantity = q;
-            redraw();
-          },
-          "across-quantity",
-        ),
+        /** @type {[string, string][]} */ (values).map(([label, v], k) => [
+          k ? ", " : "",
+          `${label} `,
+          h("b", {}, v),
+        ]),
+        ` ${u}`,
       ),
     ),
-    widthPicture(a, state.quantity),
-  );
+    h(OverWidth, { answer: a, quantity, strip, point, key: "over" }),
+  ];
+}
 /** @param {any} a */
 const tables = (a) =>
   h(

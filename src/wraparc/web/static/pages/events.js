@@ -6,6 +6,7 @@ import { list, standing } from "../parts/answers.js";
 import { Box } from "../parts/box.js";
 import { choose } from "../parts/choose.js";
 import { checked, framed, marked, notComputed, renewed, saying, silent } from "../parts/framed.js";
+import { more } from "../parts/field.js";
 import { Picture } from "../parts/picture.js";
 import { mark } from "../parts/problems.js";
 import { judgedIf, refused, stands, table, verdict } from "../parts/tables.js";
@@ -16,7 +17,7 @@ import { Player } from "./events/player.js";
 import { steady } from "./events/steady.js";
 
 /** @import { Refused } from "../parts/framed.js" */
-/** @import { Design, Problem, Table } from "../types.d.ts" */
+/** @import { Bar, Design, Problem, Table } from "../types.d.ts" */
 /** @typedef {"run" | "stability" | "map"} What */
 /** @typedef {{id: string, state: string, done: number, total: number, message: string,
  *   problems: Problem[], what: What, of: Design, by: string, [key: string]: any}} Job */
@@ -103,7 +104,7 @@ export const Page = () => {
         motionInputs(),
       ),
       say: says(run),
-      hero: still && h(Player, { run: still.played, key: still.id }),
+      hero: still && h(Player, { run: still.played, rating: ratingOf(run), key: still.id }),
       drawing: intro(),
       tall: Boolean(run),
       side: checked("events", run?.bars),
@@ -112,6 +113,12 @@ export const Page = () => {
     pictures(),
   );
 };
+/** The tension [N] that a belt may have for a moment; 0 where none is known.
+ * @param {Job | null} run */
+function ratingOf(run) {
+  const found = run?.bars?.find((/** @type {Bar} */ b) => b.name === "momentary_tension");
+  return found?.share ? found.value / found.share : 0;
+}
 const again = () => {
   const job = state.jobs.run;
   return h(
@@ -168,17 +175,24 @@ function asking() {
     { key: "asking" },
     h("legend", {}, "What happens"),
     row("e-event", "Event", choose(plan.event, events(), put("event"), "e-event")),
-    row("e-points", "Accuracy", choose(plan.points, finer, put("points"), "e-points")),
-    row(
-      "e-step",
-      "Time step",
-      h(Box, {
-        id: "e-step",
-        value: plan.step,
-        placeholder: "chosen",
-        autocomplete: "off",
-        put: put("step"),
-      }),
+    more(
+      "More: accuracy, step",
+      [
+        row("e-points", "Accuracy", choose(plan.points, finer, put("points"), "e-points")),
+        row(
+          "e-step",
+          "Time step",
+          h(Box, {
+            id: "e-step",
+            value: plan.step,
+            placeholder: "chosen",
+            autocomplete: "off",
+            put: put("step"),
+          }),
+        ),
+      ],
+      false,
+      "finer",
     ),
     assumed() &&
       h(

@@ -11,6 +11,7 @@ import { idOf } from "./field.js";
 import { mark } from "./problems.js";
 
 /** @import { Bar, Children, Problem, Verdict } from "../types.d.ts" */
+/** @import { Checked } from "../pages/drive/screen.js" */
 /** @import { Standing } from "./answers.js" */
 
 /**
@@ -92,7 +93,6 @@ export const notComputed = (head, refused, action) =>
 
 const chosen = { check: "" };
 /** Checks, each once at the place that uses most of its limit.
- * @typedef {Bar & {pulley?: string}} Checked pulley: named where several are shown
  * @param {string} page @param {Checked[] | undefined} found none where nothing is judged */
 export function checked(page, found) {
   if (!found)
@@ -101,9 +101,9 @@ export function checked(page, found) {
       h("p", { class: "why", key: "none" }, "No result yet."),
     ];
   const titles = new Set();
-  const bars = /** @type {Checked[]} */ (worstFirst(found))
-    .filter((b) => !titles.has(b.title) && titles.add(b.title))
-    .map((b) => ({ ...b, title: b.pulley ? `${b.title}, ${b.pulley}` : b.title }));
+  const bars = /** @type {Checked[]} */ (worstFirst(found)).filter(
+    (b) => !titles.has(b.title) && titles.add(b.title),
+  );
   const one = bars.find((b) => b.title === chosen.check) ?? bars[0];
   const worst = bars.some((b) => b.pulley) ? " · worst drive" : "";
   const put = (/** @type {Bar} */ b) => () => {

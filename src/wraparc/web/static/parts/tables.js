@@ -99,7 +99,7 @@ class Tabled extends Component {
 export const table = (t, open = true) =>
   h(Tabled, { of: t, open, units: app.units, key: t.key + words(t.title) });
 /** A table as text with tabs between its cells, as a sheet takes it. @param {Table} t */
-export function tabbed(t) {
+function tabbed(t) {
   const { symbols, notes } = columns(t);
   const cell = (/** @type {string} */ text) => text.replace(/\s+/g, " ").trim();
   const heads = t.heads.map(words);

@@ -73,9 +73,12 @@ export function colourScale(box, label, most, limit) {
     attr(cell, { fill: shade(((i + 0.5) / SHADES) * most, most, limit) });
   });
   const texts = svg.querySelectorAll("text");
-  [0, most / 2, most].forEach((v, i) => {
+  const middle = limit > 0 && limit < most ? limit : most / 2;
+  [0, middle, most].forEach((v, i) => {
     say(texts[i], v ? digits(v, 3) : "0");
   });
+  // not on the words at either end
+  attr(texts[1], { x: Math.min(206, Math.max(44, 4 + (252 * middle) / (most || 1))) });
   say(texts[3], label);
 }
 const SHADES = 52;

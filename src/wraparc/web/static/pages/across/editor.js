@@ -1,10 +1,9 @@
-// A profile drawn by hand: points dragged or moved by keys, and the same numbers in a table.
-import { grasp, gripped, wrong } from "../../base/design.js";
+// A profile over the width: its points, moved by hand or by keys, and the same numbers in a table.
+import { wrong } from "../../base/design.js";
 import { noteUndo } from "../../base/removed.js";
-import { si, trim, unit } from "../../base/units.js";
+import { si, unit } from "../../base/units.js";
 import { field, shownFields } from "../../parts/field.js";
-import { roundStep, ticks } from "../../plots/svg.js";
-import { Component, createRef, h } from "../../vendor/preact.js";
+import { Component, h } from "../../vendor/preact.js";
 import {
   acrossOf,
   beltWidth,
@@ -20,40 +19,14 @@ import {
 /** @typedef {{pulley: number, kind: Kind}} EditorProps */
 /** @typedef {{least: number, most: number}} Ends */
 
-const TALL = 210;
-const EDGE = { left: 46, right: 12, top: 12, floor: 176 };
 /** Largest value that is shown where nothing is drawn yet [SI]. */
 const USUAL = /** @type {Record<string, number>} */ ({ length: 3e-3, force_per_width: 2e4 });
 
-/** @extends {Component<EditorProps>} */
-export class Editor extends Component {
-  box = createRef();
-  svg = createRef();
-  wide = 480;
-  /** The scale stays while a point is held. @type {Ends | null} */
-  held = null;
-  dragged = -1;
-  /** @type {ResizeObserver | null} */
-  sized = null;
-  componentDidMount() {
-    this.sized = new ResizeObserver(([e]) => {
-      const wide = Math.floor(e.contentRect.width);
-      if (!wide || wide === this.wide) return;
-      this.wide = wide;
-      this.forceUpdate();
-    });
-    this.sized.observe(this.box.current);
-    this.known(1);
-  }
-  componentWillUnmount() {
-    this.sized?.disconnect();
-    this.known(-1);
-  }
-  /** What is wrong with the whole profile stands here. @param {number} by */
-  known(by) {
-    for (const key of this.keys())
-      if (by > 0) shownFields.set(key, [this.props.kind.title]);
-      else shownFields.delete(key);
+/** The points of a profile of a pulley. */
+export class Points {
+  /** @param {number} pulley @param {Kind} kind */
+  constructor(pulley, kind) {
+    this.props = { pulley, kind };
   }
   keys() {
     const at = ["pulley", this.props.pulley, "across", this.props.kind.key].join();
@@ -83,31 +56,6 @@ export class Editor extends Component {
     const most = Math.max(USUAL[dimension], ...values.map((v) => 1.25 * v));
     const least = Math.min(0, ...values.map((v) => 1.25 * v));
     return { least, most };
-  }
-  /** What lies far beside the belt stands just outside the picture. @param {number} y [m] */
-  X(y) {
-    const half = 0.5 * beltWidth();
-    const near = Math.min(Math.max(y, -2 * half), 2 * half);
-    return EDGE.left + ((near + half) / (2 * half)) * (this.wide - EDGE.left - EDGE.right);
-  }
-  /** @param {number} v */
-  Y(v) {
-    const { least, most } = this.held || this.ends();
-    const part = (v - least) / (most - least);
-    const down = this.props.kind.sign === "down" ? part : 1 - part;
-    return EDGE.top + down * (EDGE.floor - EDGE.top);
-  }
-  /** Position and value under the pointer [SI]. @param {PointerEvent | MouseEvent} e */
-  under(e) {
-    const box = this.svg.current.getBoundingClientRect();
-    const { least, most } = this.held || this.ends();
-    const half = 0.5 * beltWidth();
-    const x = (e.clientX - box.left) * (this.wide / box.width);
-    const down = (e.clientY - box.top) * (TALL / box.height);
-    const part = (down - EDGE.top) / (EDGE.floor - EDGE.top);
-    const up = this.props.kind.sign === "down" ? part : 1 - part;
-    const y = ((x - EDGE.left) / (this.wide - EDGE.left - EDGE.right)) * 2 * half - half;
-    return [y, least + up * (most - least)];
   }
   /** Move a point, between its neighbours and on the belt. @param {number} k
    * @param {number} y @param {number} v */
@@ -181,152 +129,46 @@ export class Editor extends Component {
     e.preventDefault();
     does[e.key]();
   }
+}
+
+/** The table of a profile. @extends {Component<EditorProps>} */
+export class Editor extends Component {
+  get of() {
+    return new Points(this.props.pulley, this.props.kind);
+  }
+  componentDidMount() {
+    this.known(1);
+  }
+  componentWillUnmount() {
+    this.known(-1);
+  }
+  /** What is wrong with the whole profile stands here. @param {number} by */
+  known(by) {
+    for (const key of this.of.keys())
+      if (by > 0) shownFields.set(key, [this.props.kind.title]);
+      else shownFields.delete(key);
+  }
   render() {
-    const problem = this.keys()
+    const { kind } = this.props;
+    const problem = this.of
+      .keys()
       .map((key) => wrong.at.get(key))
       .find(Boolean);
     return h(
       "div",
-      { ref: this.box, class: `editor${problem ? " wrong" : ""}` },
-      this.picture(),
+      { class: `editor${problem ? " wrong" : ""}` },
       h(
         "p",
-        { class: "help" },
-        "Drag points, or move the one you are on with the arrow keys; Delete takes it away, a " +
-          "double click adds one.",
+        { class: "heads", "aria-hidden": "true" },
+        h("span", {}, `position ${unit("length")[0]}`),
+        h("span", {}, `${kind.brief} ${unit(kind.dimension)[0]}`),
       ),
       problem && h("p", { class: "error", key: "error" }, problem),
       this.table(),
     );
   }
-  picture() {
-    const { kind } = this.props;
-    const points = this.points().filter((p) => p.every(Number.isFinite));
-    const half = 0.5 * beltWidth();
-    const line = points.length
-      ? [[-half, points[0][1]], ...points, [half, points[points.length - 1][1]]]
-      : [
-          [-half, 0],
-          [half, 0],
-        ];
-    const d = line.map(
-      ([y, v], k) => `${k ? "L" : "M"}${this.X(y).toFixed(1)} ${this.Y(v).toFixed(1)}`,
-    );
-    const doubled = (/** @type {MouseEvent} */ e) => {
-      const [y, v] = this.under(e);
-      if (Math.abs(y) > half) return;
-      if (!points.length)
-        this.put([
-          [edgeText(-half), this.zero()],
-          [edgeText(half), this.zero()],
-        ]);
-      this.add(y, v);
-    };
-    return h(
-      "svg",
-      {
-        class: "chart draw",
-        ref: this.svg,
-        width: this.wide,
-        height: TALL,
-        viewBox: `0 0 ${this.wide} ${TALL}`,
-        role: "group",
-        "aria-label": `${kind.what} over the width, ${points.length} points`,
-        onDblClick: doubled,
-      },
-      this.axes(),
-      h("path", { d: d.join(""), class: "line blue" }),
-      this.points().map(([y, v], k) => Number.isFinite(y + v) && this.point(y, v, k)),
-    );
-  }
-  axes() {
-    const { kind } = this.props;
-    const { least, most } = this.held || this.ends();
-    const [u, f] = unit(kind.dimension);
-    const [lu, lf] = unit("length");
-    const half = (0.5 * beltWidth()) / lf;
-    const ys = ticks(least / f, most / f, roundStep((most - least) / f, 4));
-    const xs = ticks(-half, half, roundStep(2 * half, Math.min(8, this.wide / 70)));
-    const middle = (EDGE.top + EDGE.floor) / 2;
-    const right = this.wide - EDGE.right;
-    return [
-      ys.map((v) =>
-        h("path", {
-          d: `M${EDGE.left} ${this.Y(v * f)}H${right}`,
-          class: v === 0 ? "zero" : "grid",
-          key: `y${v}`,
-        }),
-      ),
-      xs.map((v) =>
-        h("path", {
-          d: `M${this.X(v * lf)} ${EDGE.top}V${EDGE.floor}`,
-          class: "grid",
-          key: `x${v}`,
-        }),
-      ),
-      ys.map((v) =>
-        h(
-          "text",
-          { x: EDGE.left - 5, y: this.Y(v * f) + 3.5, class: "ty", key: `ty${v}` },
-          trim(v),
-        ),
-      ),
-      xs.map((v) =>
-        h("text", { x: this.X(v * lf), y: EDGE.floor + 14, class: "tx", key: `tx${v}` }, trim(v)),
-      ),
-      h(
-        "text",
-        { x: 11, y: middle, class: "al", transform: `rotate(-90 11 ${middle})`, key: "al" },
-        `${kind.what} [${u}]`,
-      ),
-      h(
-        "text",
-        { x: (EDGE.left + right) / 2, y: TALL - 4, class: "al", key: "ax" },
-        `Across the belt, from its middle [${lu}]`,
-      ),
-    ];
-  }
-  /** @param {number} y @param {number} v @param {number} k */
-  point(y, v, k) {
-    const { kind } = this.props;
-    const [place, value] = this.rows[k];
-    const begin = (/** @type {PointerEvent} */ e) => {
-      grasp();
-      this.held = this.ends();
-      this.dragged = k;
-      /** @type {Element} */ (e.currentTarget).setPointerCapture(e.pointerId);
-    };
-    const drag = (/** @type {PointerEvent} */ e) => {
-      if (this.dragged !== k || !gripped()) return;
-      const [at, to] = this.under(e);
-      this.move(k, at, to);
-    };
-    const drop = () => {
-      this.held = null;
-      this.dragged = -1;
-      this.forceUpdate();
-    };
-    return h("circle", {
-      key: `p${k}`,
-      cx: this.X(y),
-      cy: this.Y(v),
-      r: 6.5,
-      class: "pt grip",
-      tabindex: 0, // of SVG, where attributes have small letters
-      role: "slider",
-      "aria-orientation": "vertical",
-      "aria-label": `Point ${k + 1} at ${place}`,
-      "aria-valuenow": +(v / unit(kind.dimension)[1]).toPrecision(4),
-      "aria-valuetext": value,
-      onPointerDown: begin,
-      onPointerMove: drag,
-      onPointerUp: drop,
-      onPointerCancel: drop,
-      onKeyDown: (/** @type {KeyboardEvent} */ e) => this.key(k, e),
-    });
-  }
   table() {
-    const rows = this.rows;
+    const rows = this.of.rows;
     return h(
       "div",
       { class: "rows", role: "group", "aria-label": "Points in numbers" },
@@ -336,11 +178,11 @@ export class Editor extends Component {
         { class: "inline" },
         h(
           "button",
-          { type: "button", id: "add-point", onClick: () => this.addBetween() },
-          "Add a point",
+          { type: "button", id: "add-point", onClick: () => this.of.addBetween() },
+          "+ Point",
         ),
         rows.length > 0 &&
-          h("button", { type: "button", id: "clear-points", onClick: this.clear }, "Clear"),
+          h("button", { type: "button", id: "clear-points", onClick: this.of.clear }, "Clear"),
       ),
     );
   }
@@ -348,7 +190,7 @@ export class Editor extends Component {
   row(k) {
     const { pulley, kind } = this.props;
     const at = ["pulley", pulley, "across", kind.key];
-    if (!Array.isArray(this.profile)) at.push("rows");
+    if (!Array.isArray(this.of.profile)) at.push("rows");
     const cell = (
       /** @type {number} */ j,
       /** @type {string} */ title,
@@ -360,9 +202,9 @@ export class Editor extends Component {
         page: "x",
         slider: false,
         put: (value) => {
-          const rows = /** @type {Rows} */ (this.rows.map((r) => [...r]));
+          const rows = /** @type {Rows} */ (this.of.rows.map((r) => [...r]));
           rows[k][j] = value ?? "";
-          this.put(rows);
+          this.of.put(rows);
         },
       });
     return h(
@@ -372,7 +214,7 @@ export class Editor extends Component {
       cell(1, kind.what, kind.dimension),
       h(
         "button",
-        { type: "button", "aria-label": `Remove point ${k + 1}`, onClick: () => this.remove(k) },
+        { type: "button", "aria-label": `Remove point ${k + 1}`, onClick: () => this.of.remove(k) },
         "✕",
       ),
     );

@@ -4,7 +4,7 @@ import { changeNaming, noteUndo } from "../../base/removed.js";
 import { act, ask, note } from "../../base/server.js";
 import { si, words } from "../../base/units.js";
 import { choose, valueIn } from "../../parts/choose.js";
-import { field, spec } from "../../parts/field.js";
+import { field, more, spec } from "../../parts/field.js";
 import { h } from "../../vendor/preact.js";
 import { Editor } from "./editor.js";
 import {
@@ -32,6 +32,7 @@ const one = (i, s, more) =>
     spec: s,
     path: ["pulley", i, "across", s.key],
     page: PAGE,
+    slider: false,
     put: (value) => putAcross(i, s.key, value),
     ...more,
   });
@@ -46,30 +47,25 @@ export function acrossInputs() {
       "aria-label": "Across the width",
       onSubmit: (e) => e.preventDefault(),
     },
+    h("div", { class: "profile", key: "profile" }, profile(i)),
     group("Pulley", defects(i)),
-    group("Belt before and after", spans(i)),
-    group("Belt", [
+    group("Belt before and after", [
+      ...spans(i),
       field({
-        spec: { ...spec("belt", "in_plane_shear_stiffness"), title: "In-plane shear stiffness" },
+        spec: { ...spec("belt", "in_plane_shear_stiffness"), title: "In-plane stiffness" },
         path: ["belt", "in_plane_shear_stiffness"],
         page: PAGE,
         slider: false,
         placeholder: "estimated",
       }),
     ]),
-    group("Readings over the face", [measured(i)]),
   );
 }
-/** The profile, drawn by hand. @param {number} i */
-export const drawingOf = (i) =>
-  h(
-    "form",
-    { class: "profile", "aria-label": "Profile", onSubmit: (e) => e.preventDefault() },
-    profile(i),
-  );
+/** The kind of profile that is drawn. */
+export const kindDrawn = () => KINDS.find((k) => k.key === drawn.key) || KINDS[0];
 /** @param {number} i @returns {Children[]} */
 function profile(i) {
-  const kind = KINDS.find((k) => k.key === drawn.key) || KINDS[0];
+  const kind = kindDrawn();
   // the mark has its place before it is seen: nothing moves by it
   const given = (/** @type {string} */ key) =>
     acrossOf(i)[key] === undefined ? { visibility: "hidden" } : {};
@@ -90,12 +86,13 @@ function profile(i) {
             },
           },
           k.title,
-          h("span", { class: "mark", style: given(k.key) }, "input"),
+          h("span", { class: "mark", style: given(k.key), role: "img", "aria-label": "given" }),
         ),
       ),
     ),
     h(Editor, { pulley: i, kind, key: `${kind.key}${i}${app.opened}` }),
     shapes(i, kind),
+    measured(i),
   ];
 }
 /** @param {Kind} kind */
@@ -126,7 +123,7 @@ function shapes(i, kind) {
     h(
       "label",
       {},
-      "Draw ",
+      h("span", { class: "away" }, "Draw "),
       h("input", {
         type: "text",
         id: "shape-height",
@@ -139,9 +136,28 @@ function shapes(i, kind) {
         },
       }),
     ),
-    SHAPES.map(([name, text]) =>
-      h("button", { type: "button", key: name, id: `shape-${name}`, onClick: draw(name) }, text),
+    SHAPES.map(([name, text, course]) =>
+      h(
+        "button",
+        {
+          ...{ type: "button", key: name, id: `shape-${name}`, onClick: draw(name) },
+          ...{ title: text, "aria-label": `Draw ${text}` },
+        },
+        shapeOf(course, kind),
+      ),
     ),
+  );
+}
+/** A shape as it would be drawn. @param {[number, number][]} course @param {Kind} kind */
+function shapeOf(course, { sign }) {
+  const points = course.map(([y, v]) => {
+    const low = sign === "down" ? 3 + 10 * v : 13 - 10 * v;
+    return `${(12 + 10 * y).toFixed(1)} ${low.toFixed(1)}`;
+  });
+  return h(
+    "svg",
+    { viewBox: "0 0 24 16", width: 24, height: 16, "aria-hidden": "true" },
+    h("path", { d: `M${points.join("L")}`, class: "shape-line" }),
   );
 }
 /** A file of readings over the face. @param {number} i */
@@ -184,31 +200,38 @@ function measured(i) {
       onChange: read,
     }),
     h("button", { type: "button", id: "load-profile", onClick: open }, "Load readings …"),
-    h(
-      "label",
-      { key: "unit" },
-      h("span", { class: "away" }, "Units of the readings"),
-      choose(drawn.unit, units, put, "profile-unit"),
-    ),
-    h(
-      "label",
-      {},
-      "new lagging ",
-      h("input", {
-        type: "text",
-        id: "profile-new",
-        size: 7,
-        value: drawn.fresh,
-        placeholder: "thickest",
-        onInput: (e) => {
-          drawn.fresh = valueIn(e);
-        },
-      }),
-    ),
-    h(
-      "p",
-      { class: "help" },
-      "A table of positions and depths, thicknesses, diameters or radii: text or Excel.",
+    more(
+      "More: units, new lagging",
+      [
+        h(
+          "label",
+          { key: "unit" },
+          h("span", { class: "away" }, "Units of the readings"),
+          choose(drawn.unit, units, put, "profile-unit"),
+        ),
+        h(
+          "label",
+          { key: "new" },
+          "new lagging ",
+          h("input", {
+            type: "text",
+            id: "profile-new",
+            size: 7,
+            value: drawn.fresh,
+            placeholder: "thickest",
+            onInput: (e) => {
+              drawn.fresh = valueIn(e);
+            },
+          }),
+        ),
+        h(
+          "p",
+          { class: "help", key: "help" },
+          "A table of positions and depths, thicknesses, diameters or radii: text or Excel.",
+        ),
+      ],
+      false,
+      "readings",
     ),
   );
 }
@@ -220,7 +243,6 @@ const CROWN = {
   kind: "quantity",
   dimension: "length",
   help: "Height of the middle of the shell over its edges, half of that on diameter.",
-  slider: { least: 0, most: 3e-3, log: false },
 };
 /** @type {Spec} */
 const SKEW = {
@@ -240,6 +262,7 @@ function defects(i) {
       spec: CROWN,
       path: ["pulley", i, "across", "shell_profile", "crown"],
       page: PAGE,
+      slider: false,
       placeholder: "0 mm",
       read: () => (Array.isArray(shell) ? undefined : shell?.crown),
       put: (value) => putAcross(i, "shell_profile", withCrown(shell, value)),
@@ -249,25 +272,18 @@ function defects(i) {
       put: (/** @type {any} */ value) =>
         putAcross(i, "misalignment", typeof value === "number" ? `${value} mm/m` : value),
     }),
-    one(
-      i,
-      { ...spec("across", "deflection"), title: "Deflection of the shaft" },
-      { placeholder: "0 mm" },
-    ),
+    one(i, { ...spec("across", "deflection"), title: "Shaft deflection" }, { placeholder: "0 mm" }),
   ];
 }
 
 const ENDS = /** @type {[string, string][]} */ ([
   ["far", "far away"],
   ["pulley", "another pulley"],
-  ["transition", "a trough transition"],
+  ["transition", "trough transition"],
 ]);
 /** @param {number} i @returns {Children[]} */
 function spans(i) {
-  return [
-    ...end(i, "before", "Before the pulley", ENDS),
-    ...end(i, "after", "After the pulley", ENDS.slice(0, 2)),
-  ];
+  return [...end(i, "before", "Before", ENDS), ...end(i, "after", "After", ENDS.slice(0, 2))];
 }
 /** @param {number} i @param {string} key @param {string} title @param {[string, string][]} ends
  * @returns {Children[]} */

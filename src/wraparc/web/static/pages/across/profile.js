@@ -3,23 +3,40 @@ import { app, change, set } from "../../base/design.js";
 import { si, trim, unit } from "../../base/units.js";
 
 /** @typedef {[string, string][]} Rows position across the belt and value there */
-/** @typedef {{key: string, title: string, what: string, dimension: string, sign: string}} Kind */
+/** @typedef {{key: string, title: string, what: string, brief: string, dimension: string,
+ *   sign: string}} Kind title: of the switch; brief: of a column */
 
 /** The profiles that can be drawn. @type {Kind[]} */
 export const KINDS = [
   {
     key: "worn_depth",
-    title: "Worn lagging",
+    title: "Worn",
     what: "Depth worn off",
+    brief: "worn",
     dimension: "length",
     sign: "down",
   },
-  { key: "build_up", title: "Build-up", what: "Build-up", dimension: "length", sign: "up" },
-  { key: "shell_profile", title: "Shell", what: "Radius", dimension: "length", sign: "up" },
+  {
+    key: "build_up",
+    title: "Build-up",
+    what: "Build-up",
+    brief: "built up",
+    dimension: "length",
+    sign: "up",
+  },
+  {
+    key: "shell_profile",
+    title: "Shell",
+    what: "Radius",
+    brief: "radius",
+    dimension: "length",
+    sign: "up",
+  },
   {
     key: "entry_profile",
-    title: "Uneven tension",
+    title: "Tension",
     what: "Tension",
+    brief: "tension",
     dimension: "force_per_width",
     sign: "up",
   },

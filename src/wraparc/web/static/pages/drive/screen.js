@@ -286,6 +286,19 @@ const stood = () => standing(answer.quickDoc === app.doc, unsolved());
 
 // The verdict.
 
+const MEASURE = /(\d[\d.,]* [a-zA-Z%°]+(?:\/[a-z²³]+)?)/;
+/** A sentence whose numbers stay beside their units. @param {Children} text @returns {Children} */
+const unparted = (text) =>
+  typeof text === "string"
+    ? text
+        .split(MEASURE)
+        .map((part, i) => (i % 2 ? h("span", { class: "whole", key: i }, part) : part))
+    : text;
+/** So many lines stand apart below the sentence, one of them twice as tall. */
+const MOST_APART = 4;
+/** @param {Children} more @returns {number} */
+const linesIn = (more) =>
+  Array.isArray(more) ? more.reduce((n, m) => n + linesIn(m), 0) : Number(Boolean(more));
 /** @param {Level | ""} level @param {Children} text @param {Children} more
  * @param {Children} [action] @param {Children} [alert] @param {string | null} [id]
  * @param {string} [label] what stands for the level */
@@ -296,12 +309,16 @@ export const said = (level, text, more, action, alert = null, id = "verdict", la
     glyph(level || null, 28),
     h(
       "div",
-      { role: "status" },
+      { role: "status", class: linesIn(more) > MOST_APART ? "" : "apart" },
       h(
         "p",
         { class: String(text).length > 60 ? "long" : "" },
-        level && h("span", { class: "away" }, `${label}: `),
-        text,
+        h(
+          "span",
+          {},
+          level && h("span", { class: "level" }, label, h("span", { class: "away" }, ":"), " "),
+          unparted(text),
+        ),
       ),
       h("small", {}, more),
     ),
@@ -539,23 +556,26 @@ function sorted(full) {
   }
   return order.titles.map((title) => bars.find((b) => b.title === title) ?? { ...NOT_MADE, title });
 }
-/** A check against its limit. @param {Bar} b @param {boolean} chosen @param {() => void} choose
+/** @typedef {Bar & {pulley?: string}} Checked pulley: where several are shown
+ * @param {Checked} b */
+const inFull = (b) => (b.pulley ? `${b.title}, ${b.pulley}` : b.title);
+/** A check against its limit. @param {Checked} b @param {boolean} chosen @param {() => void} choose
  * @param {string} [of] where its reason stands */
 export function checkOf(b, chosen, choose, of = "why") {
   const cls = levelClass(b.level);
   const width = Math.max(1, Math.min(100, 50 * (used(b) > 0 ? used(b) : 2)));
   return h(
     "li",
-    { key: b.title, class: cls },
+    { key: inFull(b), class: cls },
     h(
       "button",
       { type: "button", "aria-expanded": chosen, "aria-controls": of, onClick: choose },
       glyph(b.level),
       h(
         "span",
-        { class: `n ${cls}`, title: b.title },
+        { class: `n ${cls}`, title: inFull(b) },
         b.title,
-        h("span", { class: "away" }, `, ${b.level}`),
+        h("span", { class: "away" }, b.pulley && `, ${b.pulley}`, `, ${b.level}`),
       ),
       h("span", { class: "v" }, h("b", { class: cls }, words(b.found)), " ", atLimit(b)),
       h(
@@ -582,7 +602,7 @@ const NOT_MADE = /** @type {Bar} */ ({
 /** The limit of a check, without the unit that its value has. @param {Bar} b */
 const atLimit = (b) => `${b.at_most ? "≤" : "≥"} ${besideUnit(b.limit, b.found)}`;
 const sense = (/** @type {Bar} */ b) => (b.at_most ? "max" : "min");
-/** Reason, place and source of a check. @param {Bar} b @param {FullArc | undefined} full */
+/** Reason, place and source of a check. @param {Checked} b @param {FullArc | undefined} full */
 export function reasonOf(b, full, id = "why") {
   const told = answer.full?.arcs
     .find((a) => a.pulley === full?.pulley && a.load_case === full?.load_case)
@@ -590,7 +610,7 @@ export function reasonOf(b, full, id = "why") {
   return h(
     "div",
     { class: "why", id, role: "region", "aria-label": "Reason and source", tabIndex: 0 },
-    h("h3", {}, `${b.title}: ${percent(b.share)} of the limit`),
+    h("h3", {}, `${inFull(b)}: ${percent(b.share)} of the limit`),
     h("p", {}, words(b.says) || `${words(b.found)}, ${sense(b)} ${words(b.limit)}.`),
     h("p", { class: "src" }, [words(b.place), b.source || told?.source].filter(Boolean).join(". ")),
   );

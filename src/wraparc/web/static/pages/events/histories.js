@@ -1,6 +1,6 @@
 // Histories of a run: speed, tensions, torque, shares and creep over time.
 import { app } from "../../base/design.js";
-import { title, unit } from "../../base/units.js";
+import { digits, title, unit } from "../../base/units.js";
 
 /** @import { ChartData, Line } from "../../types.d.ts" */
 /** @import { Drum, Played } from "./course.js" */
@@ -9,14 +9,15 @@ const COLOURS = ["blue", "orange", "green", "purple", "sky", "black"];
 
 /** @type {{of: any, units: string, drawn: {title: string, data: ChartData}[]}} */
 let kept = { of: null, units: "", drawn: [] };
-/** The charts of a run, made anew only for another run or other units. @param {Played} run */
-export function histories(run) {
+/** The charts of a run, made anew only for another run or other units. @param {Played} run
+ * @param {number} rating of the belt for a moment [N]; 0 for none */
+export function histories(run, rating) {
   if (kept.of !== run || kept.units !== app.units)
-    kept = { of: run, units: app.units, drawn: made(run) };
+    kept = { of: run, units: app.units, drawn: made(run, rating) };
   return kept.drawn;
 }
-/** @param {Played} run */
-function made(run) {
+/** @param {Played} run @param {number} rating */
+function made(run, rating) {
   const x = run.time;
   const [[fu, ff], [vu, vf], [xu, xf]] = [unit("force"), unit("speed"), unit("length")];
   const [mu, mf] = unit("torque");
@@ -44,6 +45,9 @@ function made(run) {
         lines: [{ ...ahead, cls: "grey" }, ...each((d) => d.exit_tension, ff, "T2 ")],
         ylabel: `T [${fu}]`,
         zero: true,
+        limit: rating
+          ? { y: rating / ff, label: `rating ${digits(rating / ff)} ${fu}` }
+          : undefined,
       },
     },
     {

@@ -3,49 +3,19 @@
 import { percent, show, shown } from "../../base/units.js";
 import { levelClass } from "../../parts/answers.js";
 import { colour } from "../../plots/ramp.js";
+import { along, arcOf, laid, placed as at } from "../../plots/laid.js";
 import { follow } from "../../plots/stage.js";
 import { fresh } from "../../plots/svg.js";
 import { h } from "../../vendor/preact.js";
 
-/** @typedef {[number, number]} Point */
-/** @typedef {{m: any, centre: Point, from: number, sense: number, start: Point, end: Point,
- *   leaving: number}} Drum from: angle of the entry nip about the centre */
+/** @import { Laid, Point } from "../../plots/laid.js" */
+/** @typedef {Laid<any>} Drum */
 
-/** Radius of a drum, in pixels where it is shown as large as it may be, by how many there are. */
-const RADII = [100, 100, 100, 76, 60];
-let R = RADII[0];
+let R = 0;
 const PIECES = 24; // of a wrap, each as wide as its tension
 const { PI, cos, sin } = Math;
-const LINE = { stroke: "var(--ink)", fill: "none" };
+const LINE = { stroke: "var(--belt)", fill: "none" };
 
-/** @param {Point} p @param {number} angle @param {number} by @returns {Point} */
-const along = ([x, y], angle, by) => [x + by * cos(angle), y + by * sin(angle)];
-/** @param {Point} p */
-const at = ([x, y]) => `${Math.round(10 * x) / 10} ${Math.round(10 * y) / 10}`;
-/** How long a span may be at a wrap, so that it does not cross the span before.
- * @param {number} wrap */
-const room = (wrap) => (wrap > PI ? (0.55 * R) / Math.tan((wrap - PI) / 2) : 2.2 * R);
-
-/** Drums one after the other, turned in alternate senses; y goes down. @param {any[]} drives
- * @returns {Drum[]} */
-function layOut(drives) {
-  /** @type {Point} */
-  let start = [0, 0];
-  let heading = 0;
-  return drives.map((m, i) => {
-    const wrap = m.wrap_angle ?? PI;
-    const sense = i % 2 ? -1 : 1;
-    const inward = heading + (sense * PI) / 2;
-    const centre = along(start, inward, R);
-    const from = inward + PI;
-    const end = along(centre, from + sense * wrap, R);
-    const drum = { m, centre, from, sense, start, end, leaving: heading + sense * wrap };
-    const next = drives[i + 1]?.wrap_angle ?? PI;
-    heading = drum.leaving;
-    start = along(end, heading, Math.max(0.8 * R, Math.min(2.2 * R, room(wrap), room(next))));
-    return drum;
-  });
-}
 /**
  * What is known of an arc: the limit of its creep and how it is kept, its shear along the wrap.
  * @typedef {{limit: number, level: any, position?: number[], shear?: number[]}} Arc
@@ -53,21 +23,12 @@ function layOut(drives) {
 /** @param {any} c a load case @param {Map<string, Arc>} arcs by pulley
  * @param {number} most of the shear */
 export function chain(c, arcs, most) {
-  R = RADII[c.drives.length] ?? 50;
-  const drums = layOut(c.drives);
+  const { r, drums, come, gone, box } = laid(/** @type {any[]} */ (c.drives));
+  R = r;
   const [first, last] = [drums[0], drums[drums.length - 1]];
   const all = c.drives.flatMap((/** @type {any} */ m) => [m.entry_tension, m.exit_tension]);
   const full = Math.max(...all.filter(Number.isFinite), 1);
   const wide = (/** @type {number} */ t) => (Number.isFinite(t) ? 3 + (9 * t) / full : 3);
-  const left = Math.min(...drums.map((d) => d.centre[0] - R), -1.9 * R) - 8;
-  /** @type {Point} */
-  const come = [left, 0];
-  const gone = along(last.end, last.leaving, 1.9 * R);
-  const box = around([
-    ...drums.flatMap(corners),
-    come,
-    along(gone, cos(last.leaving) > 0 ? 0 : PI, 84),
-  ]);
   const id = fresh("belt");
   const runs = drums.some((d, i) => drums[i + 1] && changes(d.m, drums[i + 1].m));
   const both = new Set(drums.map((d) => d.m.side)).size > 1; // sides of the belt
@@ -88,7 +49,7 @@ export function chain(c, arcs, most) {
     drums.map((d) => wrapped(d, wide)),
     drums.slice(1).map((d, i) => between(drums[i], d, wide)),
     span(last.end, gone, wide(last.m.exit_tension), false),
-    text([left, -15], "tr", `${runs ? "" : "carrying strand "}${force(first.m.entry_tension)}`),
+    text([come[0], -15], "tr", `${runs ? "" : "carrying strand "}${force(first.m.entry_tension)}`),
     label(gone, last, [...(runs ? [] : ["return strand"]), force(last.m.exit_tension)]),
     drums.map((d) => named(d, both, arcs.get(d.m.pulley))),
   );
@@ -108,17 +69,6 @@ function words(m) {
 }
 /** @param {any} m */
 const sideOf = (m) => `, ${m.side} side of the belt`;
-/** @param {Drum} d @returns {Point[]} */
-const corners = ({ centre: [x, y] }) => [
-  [x - R, y - R],
-  [x + R, y + R],
-];
-/** @param {Point[]} points */
-function around(points) {
-  const [xs, ys] = [points.map((p) => p[0]), points.map((p) => p[1])];
-  const [x, y] = [Math.min(...xs) - 10, Math.min(...ys) - 28];
-  return { x, y, w: Math.max(...xs) + 14 - x, h: Math.max(...ys) + 24 - y };
-}
 /** @param {{x: number, y: number, w: number, h: number}} box */
 const size = ({ x, y, w, h: tall }) => ({
   viewBox: [x, y, w, tall].map(Math.round).join(" "),
@@ -138,47 +88,40 @@ const hatch = (id) =>
   );
 /** A drum, the lagging under the belt coloured by its shear, hatched where it slips.
  * @param {Drum} d @param {string} id @param {Arc | undefined} arc @param {number} most */
-function shell({ m, centre, from, sense }, id, arc, most) {
+function shell(d, id, arc, most) {
+  const { m, centre } = d;
   const [x, y] = centre;
   const [r, thick] = [R - 7, 12];
-  const wrap = m.wrap_angle ?? PI;
   const shear = arc?.position && arc.shear && follow(arc.position, arc.shear);
   return h(
     "g",
     { key: `shell ${m.pulley}` },
-    h("circle", { cx: x, cy: y, r: r - 1, class: "steel" }),
+    h("circle", { cx: x, cy: y, r, class: "steel shell-ring" }),
     slips(m)
       ? h("circle", { cx: x, cy: y, r: R, fill: `url(#${id})` })
-      : Array.from({ length: PIECES }, (_, k) => {
-          const ends = [k, Math.min(k + 1.05, PIECES)].map((n) =>
-            at(along(centre, from + (sense * wrap * n) / PIECES, r)),
-          );
-          return h("path", {
-            d: `M${ends[0]}A${r} ${r} 0 0 ${sense > 0 ? 1 : 0} ${ends[1]}`,
+      : Array.from({ length: PIECES }, (_, k) =>
+          h("path", {
+            d: arcOf(d, r, k / PIECES, Math.min(k + 1.05, PIECES) / PIECES),
             class: `wrapped ${m.share < 0 ? "brakes" : ""}`,
             "stroke-width": thick,
             stroke: shear ? colour(Math.abs(shear((k + 0.5) / PIECES)) / (most || 1)) : "var(--q2)",
             key: k,
-          });
-        }),
+          }),
+        ),
   );
 }
 /** Belt on a drum, as wide as its tension, from entry to exit. @param {Drum} d
  * @param {(t: number) => number} wide */
-function wrapped({ m, centre, from, sense }, wide) {
-  const wrap = m.wrap_angle ?? PI;
+function wrapped(d, wide) {
+  const { m } = d;
   const [a, b] = [wide(m.entry_tension), wide(m.exit_tension)];
-  return Array.from({ length: PIECES }, (_, k) => {
-    const ends = [k, k + 1.05].map((n) =>
-      along(centre, from + (sense * wrap * Math.min(n, PIECES)) / PIECES, R),
-    );
-    const part = (k + 0.5) / PIECES;
-    return h("path", {
-      ...{ d: `M${at(ends[0])}A${R} ${R} 0 0 ${sense > 0 ? 1 : 0} ${at(ends[1])}`, ...LINE },
-      "stroke-width": (a * (b / a) ** part).toFixed(1),
+  return Array.from({ length: PIECES }, (_, k) =>
+    h("path", {
+      ...{ d: arcOf(d, R, k / PIECES, Math.min(k + 1.05, PIECES) / PIECES), ...LINE },
+      "stroke-width": (a * (b / a) ** ((k + 0.5) / PIECES)).toFixed(1),
       key: `${m.pulley} ${k}`,
-    });
-  });
+    }),
+  );
 }
 /** A straight piece of belt with an arrow; broken where a run of the conveyor is left out.
  * @param {Point} a @param {Point} b @param {number} width @param {boolean} broken */
@@ -199,7 +142,7 @@ function span(a, b, width, broken) {
         const ends = [along(p, angle + 1.9, 9), along(p, angle - 1.25, 9)];
         return h("path", { d: `M${at(ends[0])}L${at(ends[1])}`, ...LINE, "stroke-width": 1.5 });
       }),
-    h("path", { d: `M${at(wing(2.65))}L${at(tip)}L${at(wing(-2.65))}z`, fill: "var(--ink)" }),
+    h("path", { d: `M${at(wing(2.65))}L${at(tip)}L${at(wing(-2.65))}z`, fill: "var(--belt)" }),
   );
 }
 /** The belt from a drum to the next, its tension beside it, away from the drums.
