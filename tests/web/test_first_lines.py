@@ -176,7 +176,7 @@ def test_five_questions_are_answered_by_hub_sentence_and_drawing(visitor: Visito
     page.locator("#cases").get_by_role("button", name="start").click()
     visitor.solved()
     # does it hold; what is wrong; what do I do; where on the arc; in which case
-    expect(page.locator("#verdict .away")).to_have_text("ATTENTION: ")
+    expect(page.locator("#verdict .level")).to_have_text("ATTENTION: ")
     expect(page.locator("#verdict p")).to_have_text(
         "ATTENTION: Creep 11.4 mm exceeds the 6.35 mm limit (head, start)."
     )

@@ -83,18 +83,18 @@ export function coursesOf(a, q) {
     const [u, f] = unit("length");
     const below = (/** @type {number[]} */ of) => of.map((v) => (v - Math.max(...of)) / f);
     const courses = [
-      { values: below(radius), cls: "most", label: "radius, from its largest" },
-      { values: below(thickness), cls: "dotted", label: "lagging, from its thickest" },
+      { values: below(radius), cls: "most", label: "radius, from the maximum" },
+      { values: below(thickness), cls: "dotted", label: "lagging, from the maximum" },
     ];
     return { courses, u };
   }
   const [u, f] = unit(dimensionOf(q));
   const values = largestOf(a, q).map((v) => v / f);
   const at = limitOf(a, q) / f;
-  const label = q === "wrap_pressure" ? "largest along the wrap" : "at the exit";
+  const label = q === "wrap_pressure" ? "maximum along the wrap" : "at the exit";
   return {
     courses: [
-      { values, cls: "most", label: q === "shear_stress" ? "largest along the wrap" : label },
+      { values, cls: "most", label: q === "shear_stress" ? "maximum along the wrap" : label },
     ],
     u,
     limit: at ? { at, label: `limit ${digits(at)} ${u}` } : undefined,

@@ -294,8 +294,8 @@ const unparted = (text) =>
         .split(MEASURE)
         .map((part, i) => (i % 2 ? h("span", { class: "whole", key: i }, part) : part))
     : text;
-/** So many lines stand apart below the sentence, one of them twice as tall. */
-const MOST_APART = 4;
+/** So many lines stand apart below the sentence, two of them twice as tall. */
+const MOST_APART = 3;
 /** @param {Children} more @returns {number} */
 const linesIn = (more) =>
   Array.isArray(more) ? more.reduce((n, m) => n + linesIn(m), 0) : Number(Boolean(more));

@@ -177,7 +177,7 @@ export class Player extends Component {
       level: run.steady || now <= d.creep_limit ? "" : "warn",
       hub: [
         `${d.name}: creep${run.steady ? "" : " now"}`,
-        run.steady ? "" : `largest ${show(peak, "length", 3)}`,
+        run.steady ? "" : `maximum ${show(peak, "length", 3)}`,
         run.steady
           ? `limit ${show(d.creep_limit, "length", 3)}`
           : `at ${digits(run.time[sizes.indexOf(peak)], 3)} s`,
