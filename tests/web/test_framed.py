@@ -51,7 +51,8 @@ HELD = ":is([role=slider], input[type=range]):not(:disabled):visible"
 BOXES = (
     ".rail fieldset, .rail fieldset > .field, .rail fieldset > .field > *, .rail legend,"
     " .rail details, .strip, .strip-name, .strip output, .facts, .facts *, .kv > *, .hero .bar,"
-    " .hero .bar > *, .tabs > *, .drums, .drums p, .rows, .inline, .face-head, .transport > *, .transport label, .rail summary,"
+    " .hero .bar > *, .tabs > *, .drums, .drums p, .rows, .inline, .face-head,"
+    " .transport > *, .transport label, .rail summary,"
     " .stage-box > *, .scale, .hue"
 )
 VIEWS = {"train": "tandem-fabric", "across": "worn-head-drive-fabric"}
@@ -73,7 +74,9 @@ def dragged(page: Page, view: str, x: float, y: float) -> list[str]:
             asked.append(request.url)
 
     boxes = ", ".join(f"#{view} {part.strip()}" for part in f"{STILL}, {BOXES}".split(","))
-    boxes += f", header nav *, header .switch *, #{view} .switch *, #{view} .views *, #{view} .use *"
+    boxes += (
+        f", header nav *, header .switch *, #{view} .switch *, #{view} .views *, #{view} .use *"
+    )
     page.evaluate(WATCH, boxes)
     page.on("request", listen)
     drag(page, x, y, (x + 30, y + 20), 24)
