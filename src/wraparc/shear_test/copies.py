@@ -30,13 +30,14 @@ def copy_sentences(tests: Sequence[TestResult]) -> list[str]:
     tests
         Of one condition.
     """
-    noises = [_noise(test) for test in tests]
+    noises = [_noises(test) for test in tests]
     pairs = [
         (a, b)
         for a, b in combinations(range(len(tests)), 2)
-        if (one := noises[a]) is not None
-        and (other := noises[b]) is not None
-        and _go_together(one, other)
+        if any(
+            one is not None and other is not None and _go_together(one, other)
+            for one, other in zip(noises[a], noises[b], strict=True)
+        )
     ]
     if not pairs:
         return []
@@ -69,16 +70,30 @@ class _Noise:
         return memory[0] < 0.3 and max(map(abs, memory[4:]), default=0.0) < _PERIODIC
 
 
-def _noise(test: TestResult) -> _Noise | None:
-    curve = test.curve
+def _noises(test: TestResult) -> tuple[_Noise | None, _Noise | None]:
+    """Noise of friction, and of the force where a normal force was measured.
+
+    A normal force has its own noise, in which that of a copied force may hide.
+    """
+    curve, record = test.curve, test.record
     # Ties of the travel are one reading, so that it can be read between them.
     travel, place = np.unique(curve.travel, return_index=True)
     friction = curve.friction[place]
     slides = friction > 0.5 * curve.top
     if int(slides.sum()) < _LEAST or curve.swing is not None:
-        return None
+        return None, None
     begin = int(np.argmax(slides))
-    found = _Noise(travel[begin:], friction[begin:])
+    own = _of_readings(travel[begin:], friction[begin:])
+    if record.normal_force is None:
+        return own, own
+    way = np.abs(record.travel - record.travel[0])
+    order = np.argsort(way, kind="stable")
+    load = np.interp(travel, way[order], record.normal_force[order])
+    return own, _of_readings(travel[begin:], (friction * load)[begin:])
+
+
+def _of_readings(travel: Array, values: Array) -> _Noise | None:
+    found = _Noise(travel, values)
     return found if len(found.off) >= _LEAST and found.is_of_readings else None
 
 
