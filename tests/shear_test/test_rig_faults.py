@@ -62,12 +62,21 @@ def test_a_fault_that_the_data_show_is_named(kind: str) -> None:
         ("samples scatter by 14 %", 5, "Samples scatter by"),
         # one zero drifts by 15 % of the force, 23 % less friction behind the peak becomes 8
         ("zero drifts by 15 % in one test", 5, "Behind the peak t00 changes by -"),
+        # made of two, whose noise hides in that of its measured normal force
+        ("a pressure drawn between its neighbours", 13, "T06 is made of t04"),
     ],
 )
 def test_faults_that_hide_in_the_scatter_they_make(kind: str, seed: int, named: str) -> None:
     told = verdict(bench().faulty(kind, seed, 250))
     lines = [told.text.removeprefix("Fit rejected: ").capitalize(), *(a.text for a in told.also)]
     assert any(in_units(line).startswith(named) for line in lines)
+
+
+def test_the_cause_comes_before_the_curves_it_bends() -> None:
+    """What gives way makes curves whose first readings are near their largest."""
+    told = verdict(bench().faulty("one force from a pressure on (soft)", 1, 250))
+    assert in_units(told.text).startswith("Fit rejected: one force from ")
+    assert any("first reading has" in in_units(also.text) for also in told.also)
 
 
 @pytest.mark.parametrize(

@@ -40,20 +40,20 @@ _RUBS = 0.03
 _EVEN, _SCATTERS, _READINGS = -0.5, 0.012, 200
 
 
-def rig_sentences(plan: TestPlan, found: Findings) -> list[str]:
+def rig_sentences(plan: TestPlan, found: Findings, *, gives_way: bool) -> list[str]:
     """Say what the tests show together.
 
     Parameters
     ----------
     plan, found
         The plan, and what the tests of one condition have shown.
+    gives_way
+        Whether they are known to have one force, which is no step.
     """
     if plan.digitised is not None:
         return _slips_apart(found)
-    given = _gives_way(found)
     return [
-        *given,
-        *([] if given else _step(found)),
+        *([] if gives_way else _step(found)),
         *_slips_apart(found),
         *_tails_apart(found),
         *_standing(found.tests),
@@ -71,12 +71,19 @@ def _means(found: Findings) -> tuple[Array, Array, Array]:
     return pressure, values, np.array([int(own.sum()) for own in inside])
 
 
-def _gives_way(found: Findings) -> list[str]:
-    """One force from a pressure on: backing, clamp or machine gives way before the rubber slides.
+def one_force(plan: TestPlan, found: Findings) -> list[str]:
+    """Say that one force is reached from a pressure on, where backing, clamp or machine gives way.
 
     Friction of any lagging falls with pressure by less than the pressure rises; a law that is one
     force (contact saturated) keeps its slip, where a backing that tears is passed ever earlier.
+
+    Parameters
+    ----------
+    plan, found
+        As in `rig_sentences`.
     """
+    if plan.digitised is not None:
+        return []
     pressure, values, _ = _means(found)
     ln_p, ln_force = np.log(pressure), np.log(pressure) + values[:, 1]
     for first in range(len(pressure) - 1):

@@ -18,7 +18,7 @@ from wraparc.shear_test.plan import TestPlan
 from wraparc.shear_test.pressure_choice import PressureChoice
 from wraparc.shear_test.pressure_fit import PressureFit
 from wraparc.shear_test.reduce import UNKNOWN_ZERO
-from wraparc.shear_test.rig_faults import rig_sentences
+from wraparc.shear_test.rig_faults import one_force, rig_sentences
 from wraparc.shear_test.speeds import per_minute, speed_sentences
 from wraparc.shear_test.student import chi_square, t95
 from wraparc.units import Cell, Dimension, per_stress, quantity
@@ -43,8 +43,9 @@ def law_sentences(plan: TestPlan, found: Findings) -> tuple[tuple[str, ...], tup
     )
     order_remarks: list[str] = []
     misfit = set_questions(plan, tests)
-    misfit += _of_curves(tests, OTHER_PRESSURE if misfit else "")
-    misfit += rig_sentences(plan, found) + copy_sentences(tests)
+    given = one_force(plan, found)  # what gives way makes odd curves: the cause comes first
+    misfit += given + _of_curves(tests, OTHER_PRESSURE if misfit else "")
+    misfit += rig_sentences(plan, found, gives_way=bool(given)) + copy_sentences(tests)
     misfit += lash_sentences(tests) + _repeats(tests, found) + by_speed
     misfit += load_questions(tests, found.points, found.flagged)
     if law is not None:
