@@ -101,7 +101,7 @@ export class Face extends Component {
     return h(
       "svg",
       {
-        class: "chart map",
+        class: `chart unrolled${a?.map ? " map" : ""}`,
         ref: this.svg,
         viewBox: `0 0 ${this.wide} ${this.high}`,
         role: "group",
