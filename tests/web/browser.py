@@ -377,7 +377,7 @@ class Visitor:
     def alone(self) -> None:
         """Wait until the page can solve and judge without the server."""
         self.page.wait_for_function("() => performance.getEntriesByName('own').length > 0")
-        self.page.evaluate("import('/static/pages/drive/judging.js').then((m) => m.ready)")
+        evaluated(self.page, "import('/static/pages/drive/judging.js').then((m) => m.ready)")
 
     def painted(self) -> None:
         """Wait until what was changed has been laid out and painted."""

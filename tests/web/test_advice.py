@@ -10,7 +10,7 @@ import pytest
 from playwright.sync_api import Page, Route, expect
 
 from cli.running import wraparc
-from web.browser import Visitor, turn
+from web.browser import Visitor, evaluated, turn
 from web.test_standing import take
 from wraparc.units import parse_quantity
 from wraparc.web.answers.drives import solve_all
@@ -148,6 +148,6 @@ def test_page_offers_what_it_has_tried_while_the_server_is_silent(visitor: Visit
     expect(offered).to_have_text(re.compile(r"^(Use|Raise|Increase) .*\.$"))
     expect(offered).not_to_have_text(before)
     offered.click()
-    made = page.evaluate("import('/static/main.js').then((m) => m.app.doc)")
+    made = evaluated(page, "import('/static/main.js').then((m) => m.app.doc)")
     assert solve_all(SolveRequest(document=made, search=False)).verdict.level == "OK"
     page.unroute_all(behavior="ignoreErrors")

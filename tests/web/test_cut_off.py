@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator
 import pytest
 from playwright.sync_api import Route, expect
 
-from web.browser import PAGES, READY, Calculator, Visitor, ask_now, turn
+from web.browser import PAGES, READY, Calculator, Visitor, ask_now, evaluated, turn
 from web.calculators import TOKEN, wait_for
 from web.test_static import STATIC
 
@@ -53,9 +53,9 @@ class Cut:
         self.page.on("dialog", lambda d: d.accept())
         self.visitor.open("drive")
         wait_for(lambda: self.page.evaluate("1") and any("worker" in url for url in self.asked))
-        self.page.evaluate("import('/static/pages/drive/judging.js').then((m) => m.ready)")
+        evaluated(self.page, "import('/static/pages/drive/judging.js').then((m) => m.ready)")
         wait_for(lambda: self.page.evaluate("1") and any("behind" in url for url in self.asked))
-        self.page.evaluate("import('/static/frame/behind.js').then(() => true)")
+        evaluated(self.page, "import('/static/frame/behind.js').then(() => true)")
 
     def cut(self, how: str) -> None:
         self.visitor.context.route("**/*", self._silent if how == "silence" else CUTS[how])

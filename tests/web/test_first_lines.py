@@ -13,7 +13,7 @@ import pytest
 from playwright.sync_api import Page, Route, ViewportSize, expect
 
 from judgement.test_first_sentence import MOST
-from web.browser import PHONE, Calculator, Visitor, ask_now
+from web.browser import PHONE, Calculator, Visitor, ask_now, evaluated
 from web.calculators import wait_for
 from worded import worded
 from wraparc.arc import WrapArc
@@ -95,7 +95,7 @@ def test_the_first_two_lines_are_whole_and_the_action_does_what_it_says(
 ) -> None:
     entry, exit_, fields, level = DRIVES[name]
     page = typed(long_visit, entry, exit_)
-    page.evaluate("import('/static/main.js').then((m) => m.edit(['covered'], true))")
+    evaluated(page, "import('/static/main.js').then((m) => m.edit(['covered'], true))")
     for field, value in fields.items():
         page.fill(f"#f-{field}", value)
     long_visit.solved()
@@ -126,7 +126,7 @@ def test_the_first_two_lines_are_whole_and_the_action_does_what_it_says(
         if named := re.search(amount, told):
             expect(page.locator(f"#f-pulley-0-{key}")).to_have_value(named[1])
     # expected: the program on the drive that the press has made
-    made = page.evaluate("import('/static/main.js').then((m) => m.app.doc)")
+    made = evaluated(page, "import('/static/main.js').then((m) => m.app.doc)")
     after = solve_all(SolveRequest(document=made, search=False)).verdict
     assert after.missed == count
     long_visit.solved()
@@ -139,7 +139,7 @@ def test_all_changes_of_the_first_way_are_one_press_and_one_step_back(visitor: V
     page.fill("#f-pulley-0-entry_tension", "130")
     page.fill("#f-pulley-0-exit_tension", "4")
     visitor.solved()
-    before = page.evaluate("import('/static/main.js').then((m) => m.app.doc)")
+    before = evaluated(page, "import('/static/main.js').then((m) => m.app.doc)")
     action = solve_all(SolveRequest(document=before)).verdict.model_dump(by_alias=True)["action"]
     way = action["ways"][0]
     assert len(way["changes"]) > 1
@@ -148,7 +148,7 @@ def test_all_changes_of_the_first_way_are_one_press_and_one_step_back(visitor: V
     action_line = page.locator("#verdict .line").filter(has_text="Action")
     expect(action_line).to_have_text(f"Action {worded(action['text'])}")
     button.click()
-    made = page.evaluate("import('/static/main.js').then((m) => m.app.doc)")
+    made = evaluated(page, "import('/static/main.js').then((m) => m.app.doc)")
     settings = {
         change["key"]: f"{change['to']!r} {change['unit']}" if change["unit"] else change["to"]
         for change in way["changes"]
@@ -156,7 +156,7 @@ def test_all_changes_of_the_first_way_are_one_press_and_one_step_back(visitor: V
     expected = put_over(before, settings, TRAIN_FILE)
     assert drive_texts(made) == drive_texts(expected)
     page.click("#undo")
-    assert page.evaluate("import('/static/main.js').then((m) => m.app.doc)") == before
+    assert evaluated(page, "import('/static/main.js').then((m) => m.app.doc)") == before
 
 
 def drive_texts(document: dict[str, Any]) -> list[tuple[str, list[float]]]:
@@ -172,7 +172,7 @@ def drive_texts(document: dict[str, Any]) -> list[tuple[str, list[float]]]:
 def test_five_questions_are_answered_by_hub_sentence_and_drawing(visitor: Visitor) -> None:
     page = visitor.open("drive", unfold=False)
     visitor.alone()
-    page.evaluate("import('/static/main.js').then((m) => m.edit(['covered'], true))")
+    evaluated(page, "import('/static/main.js').then((m) => m.edit(['covered'], true))")
     page.locator("#cases").get_by_role("button", name="start").click()
     visitor.solved()
     # does it hold; what is wrong; what do I do; where on the arc; in which case
@@ -345,8 +345,8 @@ def test_a_server_that_is_gone_is_told_once_below_what_the_page_solves(
     visitor = Visitor(browser, server.address, SCREEN)
     page = visitor.open("drive", unfold=False)
     visitor.alone()
-    page.evaluate("import('/static/main.js').then((m) => m.edit(['covered'], true))")
-    page.evaluate("import('/static/main.js').then((m) => m.edit(['load_case'], undefined))")
+    evaluated(page, "import('/static/main.js').then((m) => m.edit(['covered'], true))")
+    evaluated(page, "import('/static/main.js').then((m) => m.edit(['load_case'], undefined))")
     visitor.solved()
     gone(page)
     # the page solves and judges this itself: it is an answer, and no old one

@@ -12,7 +12,7 @@ from typing import Any
 from playwright.sync_api import Locator, Page, expect
 
 from cli.running import wraparc
-from web.browser import PHONE, REQUESTS, Calculator, Visitor
+from web.browser import PHONE, REQUESTS, Calculator, Visitor, evaluated
 from web.calculators import document, wait_for
 from web.test_standing import take
 from wraparc.drive.conditions import covered
@@ -52,7 +52,7 @@ def seen(page: Page) -> list[str]:
 
 
 def kept(page: Page) -> Any:
-    return page.evaluate("import('/static/main.js').then((m) => m.app.doc)")
+    return evaluated(page, "import('/static/main.js').then((m) => m.app.doc)")
 
 
 def switch(page: Page) -> Locator:

@@ -3,7 +3,7 @@
 import pytest
 from playwright.sync_api import Route, ViewportSize, expect
 
-from web.browser import DESKTOP, PHONE, Calculator, Visitor
+from web.browser import DESKTOP, PHONE, Calculator, Visitor, evaluated
 from web.calculators import API, TOKEN, document, wait_for
 
 #: Sum of all shifts that no input explains; the script runs before the page.
@@ -69,7 +69,7 @@ def test_many_load_cases_are_not_waited_for(calculator: Calculator) -> None:
     doc["pulley"][0]["name"] = "drum"
     case = {"pulley": {"drum": {"entry_tension": "100 kN"}}}
     doc["load_case"] = [{"name": f"case {i}", **case} for i in range(9)]
-    page.evaluate("(doc) => import('/static/main.js').then((m) => m.take(doc))", doc)
+    evaluated(page, "(doc) => import('/static/main.js').then((m) => m.take(doc))", doc)
     # the first arc has come, and the verdict on the drive before does not stand beside it
     expect(page.locator(".hub-number")).not_to_have_text("– mm")
     expect(page.locator(".governing")).to_have_count(0)

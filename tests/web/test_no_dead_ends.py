@@ -6,7 +6,7 @@ from pathlib import Path
 
 from playwright.sync_api import Page, expect
 
-from web.browser import Visitor, turn
+from web.browser import Visitor, evaluated, turn
 from web.calculators import document
 from web.test_standing import take
 
@@ -23,7 +23,7 @@ def opened(visitor: Visitor, folder: Path, text: str) -> Page:
 
 
 def belt(page: Page) -> dict[str, str]:
-    found: dict[str, str] = page.evaluate("import('/static/main.js').then((m) => m.app.doc.belt)")
+    found: dict[str, str] = evaluated(page, "import('/static/main.js').then((m) => m.app.doc.belt)")
     return found
 
 

@@ -12,7 +12,18 @@ import pytest
 from playwright.sync_api import Error, Route, expect
 
 from cli.running import wraparc
-from web.browser import PAGES, REQUESTS, STEPS, STUDY, TABS, Calculator, Visitor, turn, unfold_plan
+from web.browser import (
+    PAGES,
+    REQUESTS,
+    STEPS,
+    STUDY,
+    TABS,
+    Calculator,
+    Visitor,
+    evaluated,
+    turn,
+    unfold_plan,
+)
 from web.calculators import TOKEN, document, wait_for
 from wraparc.checks.check import INFO_CHECKS
 from wraparc.schema.emit import document_text
@@ -475,7 +486,7 @@ JUDGED = """async () => {
 def test_checks_follow_the_slider_without_the_server(visitor: Visitor, tmp_path: Path) -> None:
     # expected: what `wraparc solve` says of the same drive
     page = visitor.open("drive")
-    page.evaluate("import('/static/main.js').then((m) => m.edit(['covered'], true))")
+    evaluated(page, "import('/static/main.js').then((m) => m.edit(['covered'], true))")
     visitor.solved()
     visitor.alone()
     page.route("**/api/v1/solve**", lambda route: None)
@@ -486,7 +497,7 @@ def test_checks_follow_the_slider_without_the_server(visitor: Visitor, tmp_path:
         wait_for(lambda: page.evaluate(JUDGED))
         visitor.painted()
         expect(page.locator(".governing")).to_contain_text("follow once the hand rests")
-        moved = page.evaluate("import('/static/main.js').then((m) => m.app.doc)")
+        moved = evaluated(page, "import('/static/main.js').then((m) => m.app.doc)")
         file.write_text(document_text(moved, TRAIN_FILE), "utf-8")
         told = json.loads(wraparc("solve", str(file), "--no-reserve", "--json", "-")[1])
         verdict, arc = told["verdict"], told["arcs"][0]
@@ -537,7 +548,7 @@ def test_choices_are_answered_without_the_server(visitor: Visitor, tmp_path: Pat
         page.select_option(field, choice)
         wait_for(lambda: page.evaluate(JUDGED))
         visitor.painted()
-        chosen = page.evaluate("import('/static/main.js').then((m) => m.app.doc)")
+        chosen = evaluated(page, "import('/static/main.js').then((m) => m.app.doc)")
         file.write_text(document_text(chosen, TRAIN_FILE), "utf-8")
         told = json.loads(wraparc("solve", str(file), "--no-reserve", "--json", "-")[1])
         said = page.locator(".governing .headline").inner_text()
@@ -576,9 +587,10 @@ def test_a_page_that_cannot_be_drawn_says_so_once(calculator: Calculator) -> Non
     # expected: one fault, told; it was told by drawing, which failed, and so on without end
     visitor = Visitor(calculator[0], calculator[1].address)
     page = visitor.open("drive")
-    page.evaluate(
+    evaluated(
+        page,
         "import('/static/main.js').then(({ app, redraw }) => {"
-        "app.doc = { ...app.doc, title: Symbol('no text') }; redraw(); })"
+        "app.doc = { ...app.doc, title: Symbol('no text') }; redraw(); })",
     )
     expect(page.locator("#toast")).to_contain_text("TypeError")
     visitor.painted()
@@ -591,7 +603,7 @@ def test_what_is_being_typed_outlives_a_drawing(visitor: Visitor) -> None:
     page = visitor.open("study")
     title = page.locator("#study").get_by_label("Title")
     title.fill("Typed")
-    page.evaluate("import('/static/main.js').then((m) => m.redraw())")
+    evaluated(page, "import('/static/main.js').then((m) => m.redraw())")
     visitor.painted()
     expect(title).to_have_value("Typed")
     title.blur()

@@ -7,7 +7,7 @@ from typing import Any
 from playwright.sync_api import Page, Route, expect
 
 from cli.running import wraparc
-from web.browser import LATER, Calculator, Visitor, turn
+from web.browser import LATER, Calculator, Visitor, evaluated, turn
 from web.calculators import TOKEN, document, wait_for
 from web.test_pages import key_figure
 from worded import worded
@@ -318,7 +318,7 @@ def test_number_typed_over_what_could_not_be_read_takes_the_unit_of_its_field(
 def test_best_is_bold_only_where_everything_is_kept(visitor: Visitor) -> None:
     page = visitor.open("compare", unfold=True)
     for field, value in (("covered", "true"), ("creep_limit", "'7 mm'")):
-        page.evaluate(f"import('/static/main.js').then((m) => m.edit(['{field}'], {value}))")
+        evaluated(page, f"import('/static/main.js').then((m) => m.edit(['{field}'], {value}))")
     rows = page.locator("#compare tbody tr")
     failing = rows.filter(has=page.locator(".badge:not(.good)"))
     passing = rows.filter(has=page.locator(".badge.good"))

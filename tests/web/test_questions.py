@@ -12,7 +12,7 @@ from playwright.sync_api import Locator, expect
 from starlette.testclient import TestClient
 
 from cli.running import wraparc
-from web.browser import Visitor, unsigned
+from web.browser import Visitor, evaluated, unsigned
 from web.calculators import API, client, document
 from web.test_pages_looks import violations
 from worded import worded
@@ -298,7 +298,8 @@ def test_what_is_no_record_is_refused(api: TestClient, files: Any, says: str) ->
 def test_a_record_calibrates_the_drive_on_the_page(visitor: Visitor) -> None:
     # expected: the friction of `wraparc calibrate`, 0.782 of the law; see its example
     page = visitor.open("drive")
-    page.evaluate(
+    evaluated(
+        page,
         "(doc) => import('/static/main.js').then((m) => m.take(doc, { name: 'wet' }))",
         wet_season(),
     )

@@ -7,7 +7,7 @@ import re
 
 from playwright.sync_api import expect
 
-from web.browser import Calculator, Visitor
+from web.browser import Calculator, Visitor, evaluated
 
 NAME = "EP 1250/4 6+3"
 
@@ -22,7 +22,7 @@ def test_a_standard_name_is_a_belt_of_the_page(calculator: Calculator) -> None:
     typed.fill(NAME)
     typed.press("Tab")
     expect(page.get_by_label("Belt", exact=True).first).to_have_value(NAME)
-    document = page.evaluate("import('/static/main.js').then((m) => m.app.doc)")
+    document = evaluated(page, "import('/static/main.js').then((m) => m.app.doc)")
     assert document["belt"]["preset"] == NAME
     expect(page.locator("form.inputs .error").filter(has_text="belt")).to_have_count(0)
     typed.fill("EP 12500/4")
