@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -17,15 +16,12 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 from arc.drives import PIECEWISE, RUBBER, SOFTENING
-from wraparc import load_drive, solve
 from wraparc.arc import Distributed, WrapArc
 from wraparc.batch import Setting, solve_batch
-from wraparc.checks import judge
 from wraparc.checks.of_arc import slip_speed
 from wraparc.drive import Lagging
 from wraparc.friction import ElasticPlastic, FrictionLaw, TestedRange
 
-EXAMPLES = Path(__file__).parents[2] / "examples"
 FRICTION, STIFFNESS, SPEED = 0.55, 66.7e6, 3.85
 WIDE = TestedRange(pressure_min=1e3, pressure_max=5e6, slip_max=0.5, slip_speed=6e-3)
 YIELDS = ElasticPlastic(friction_coefficient=FRICTION, stiffness=STIFFNESS, tested=WIDE)
@@ -101,19 +97,6 @@ def test_the_steepest_slip_is_that_of_an_integration_split_at_the_kink(
     result, expected = Distributed(capacities=False).solve(arc), SPEED * steepest_of(arc)
     assert slip_speed(result) == pytest.approx(expected, rel=1e-6)
     assert rows_of(YIELDS, [at])[0] == pytest.approx(expected, rel=1e-6)
-
-
-def test_the_steepest_slip_is_found_where_a_check_compares_it() -> None:
-    """Of a law without tests no check does, and no arc of it pays."""
-    given = load_drive(EXAMPLES / "head-drive-fabric.toml")
-    (pulley,) = given.pulleys
-    bare = replace(pulley.lagging, law=replace(pulley.lagging.law, tested=None))  # type: ignore[call-arg]
-    for lagging, asks in ((pulley.lagging, True), (bare, False)):
-        result = solve(replace(given, pulleys=(replace(pulley, lagging=lagging),)))
-        judge(result)
-        assert {"_steepest" in vars(arc) for arc in result.arcs} == {asks}
-        assert result.arcs[0].steepest_slip > 0.0
-        assert "steepest_slip" not in result.arcs[0].scalars()
 
 
 def rows_of(law: FrictionLaw, ats: list[tuple[float, float, float, float]]) -> Any:

@@ -277,5 +277,5 @@ class _March:
             stuck_arc=0.0,
             capacities=Capacities(),
             energy=Energy(frictional_energy=work),
-            _grown=float(np.max(np.abs(np.diff(slip) / np.diff(remaining)), initial=0.0)),
+            steepest_slip=float(np.max(np.abs(np.diff(slip) / np.diff(remaining)), initial=0.0)),
         )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, fields
 from enum import StrEnum
 from functools import cached_property
 from typing import Any
@@ -14,8 +14,6 @@ import numpy as np
 from wraparc.arc.answer import operating_point
 from wraparc.arc.grip import sliding
 from wraparc.arc.interval import creep_interval
-from wraparc.arc.meet import Met
-from wraparc.arc.profile import steepest_slip
 from wraparc.arc.quantities import SOLVED
 from wraparc.arc.sliding import NOT_CARRIED
 from wraparc.arc.summary import spring_rate
@@ -27,6 +25,9 @@ from wraparc.views import Viewable
 nan = math.nan
 #: Names of the ends of the interval of the creep.
 _INTERVAL = ("exit_creep_low", "exit_creep_high")
+#: Numbers that only a check reads: times the belt speed it is the slip speed.
+_UNREPORTED = frozenset({"steepest_slip"})
+
 
 #: What helps a drive that slips, at the end of what else does.
 MORE_FRICTION = "choose a lagging with more friction."
@@ -209,6 +210,8 @@ class ArcResult(Viewable):
         Entry part over which the belt does not slip [rad].
     capacities, energy
         See there.
+    steepest_slip
+        Largest growth of slip per length of the arc, not among `scalars` [-].
     """
 
     status: Status
@@ -233,8 +236,7 @@ class ArcResult(Viewable):
     stuck_arc: float
     capacities: Capacities
     energy: Energy
-    #: What `steepest_slip` is of: the solution, or the number where a method finds it itself [-].
-    _grown: Met | float = field(default=nan, repr=False)
+    steepest_slip: float = nan
 
     @classmethod
     def without_state(
@@ -273,20 +275,6 @@ class ArcResult(Viewable):
         """
         length = self.arc.radius * self.active_arc
         return spring_rate(self.arc.axial_stiffness, length, self.exit_creep)
-
-    @property
-    def steepest_slip(self) -> float:
-        """Largest growth of slip per length of the arc, not among `scalars` [-].
-
-        Times the belt speed it is the slip speed, which one check alone compares.
-        """
-        return self._steepest
-
-    @cached_property
-    def _steepest(self) -> float:
-        if isinstance(self._grown, float):
-            return self._grown
-        return steepest_slip(self.arc.geometry(), self._grown)
 
     @cached_property
     def creep_interval(self) -> tuple[float, float]:
@@ -363,7 +351,7 @@ class ArcResult(Viewable):
         named = {
             f.name: getattr(self, f.name)
             for f in fields(self)
-            if isinstance(getattr(self, f.name), float) and not f.name.startswith("_")
+            if isinstance(getattr(self, f.name), float) and f.name not in _UNREPORTED
         }
         named["tension_ratio"] = self.tension_ratio
         named["effective_tension"] = self.effective_tension

@@ -9,8 +9,7 @@ import numpy as np
 
 from wraparc.arc.answer import Answer
 from wraparc.arc.capacity import CAPACITIES, Carried, find_capacities
-from wraparc.arc.meet import Met
-from wraparc.arc.profile import RECORD
+from wraparc.arc.profile import RECORD, steepest_slip
 from wraparc.arc.quantities import BREAKAWAY, SOLVED, Buffer
 from wraparc.arc.result import ArcResult, Capacities, Energy, Profile, Status
 from wraparc.arc.summary import NEXT_SLIP, Summary, capacity_numbers, solved_arc, summary_of
@@ -80,7 +79,8 @@ def result_of(
         return ArcResult.without_state(status, method, arc, capacities)
     told = summary_of(arc.geometry(), arc.described(), arc.law.tested, found)
     profile = _profile(arc, out, count, found.met.rest)
-    return solved_result(method, arc, told, profile, capacities, found.met)
+    steepest = steepest_slip(arc.geometry(), found.met)
+    return solved_result(method, arc, told, profile, capacities, steepest)
 
 
 def solved_result(
@@ -89,7 +89,7 @@ def solved_result(
     told: Summary,
     profile: Profile,
     capacities: Capacities,
-    grown: Met | float,
+    steepest_slip: float,
 ) -> ArcResult:
     """Return the result of a solved arc."""
     numbers = told._asdict()
@@ -103,7 +103,7 @@ def solved_result(
         profile=profile,
         capacities=capacities,
         energy=energy,
-        _grown=grown,
+        steepest_slip=steepest_slip,
         **numbers,
     )
 

@@ -7606,7 +7606,7 @@ return $math.copysign(Infinity, $bound(arc, "side"));
 return $at(found.met.course.creep, $neg(1));
 }
 }
-$sig(ArcResult, ["status", "method", "arc", "profile", "entry_tension", "exit_tension", "exit_creep", "creep_shrinkage", "creep_compression", "creep_global", "exit_slip", "entry_creep_ratio", "exit_creep_ratio", "peak_shear_stress", "peak_shear_angle", "peak_shear_position", "mean_friction", "active_arc", "outside_tested_share", "stuck_arc", "capacities", "energy", "_grown"], false, {_grown: () => NaN});
+$sig(ArcResult, ["status", "method", "arc", "profile", "entry_tension", "exit_tension", "exit_creep", "creep_shrinkage", "creep_compression", "creep_global", "exit_slip", "entry_creep_ratio", "exit_creep_ratio", "peak_shear_stress", "peak_shear_angle", "peak_shear_position", "mean_friction", "active_arc", "outside_tested_share", "stuck_arc", "capacities", "energy", "steepest_slip"], false, {steepest_slip: () => NaN});
 class FoundArc extends ArcResult {
 get creep_interval() {
 const self = this; 
@@ -7617,7 +7617,7 @@ const self = this;
 return self.found.covered_creep;
 }
 }
-$sig(FoundArc, ["status", "method", "arc", "profile", "entry_tension", "exit_tension", "exit_creep", "creep_shrinkage", "creep_compression", "creep_global", "exit_slip", "entry_creep_ratio", "exit_creep_ratio", "peak_shear_stress", "peak_shear_angle", "peak_shear_position", "mean_friction", "active_arc", "outside_tested_share", "stuck_arc", "capacities", "energy", "_grown", "found"], false, {_grown: () => NaN});
+$sig(FoundArc, ["status", "method", "arc", "profile", "entry_tension", "exit_tension", "exit_creep", "creep_shrinkage", "creep_compression", "creep_global", "exit_slip", "entry_creep_ratio", "exit_creep_ratio", "peak_shear_stress", "peak_shear_angle", "peak_shear_position", "mean_friction", "active_arc", "outside_tested_share", "stuck_arc", "capacities", "energy", "steepest_slip", "found"], false, {steepest_slip: () => NaN});
 class DriveResult extends Viewable {
 __iter__() {
 const self = this; return $b.iter($bound(self, "arcs"));
