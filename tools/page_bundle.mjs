@@ -28,6 +28,7 @@ const INSTEAD = {
   "frame/opening.js": "opening.js",
   "frame/registry.js": "registry.js",
   "pages/drive/beside.js": "beside.js",
+  "pages/drive/flights.js": "nothing.js",
   "pages/drive/questions.js": "questions.js",
   "pages/drive/reserve.js": "nothing.js",
   "pages/drive/unknown_key.js": "nothing.js",
