@@ -362,10 +362,10 @@ def _conveyor_sizes(of: Conveyor, width: float) -> Iterator[Check]:
             name = f"conveyor {key.replace('_', ' ')}"
             dimension = Conveyor.LIMITS[key].dimension
             yield unusual(name, dimension, NOWHERE, value, (least, most))
-    load, slope = (EMPTIEST * width**2, FULLEST * width**2), of.lift / of.length
+    least, most = (float(f"{end * width**2:.2g}") for end in (EMPTIEST, FULLEST))
+    load, slope = (least, most), of.lift / of.length
     if not (odd or usual(of.material, *load)):
-        name = "material per length of belt"
-        yield unusual(name, "mass_per_length", NOWHERE, of.material, load)
+        yield unusual(_HEAPED, "mass_per_length", NOWHERE, of.material, load)
     if not (odd or usual(slope, -STEEPEST, STEEPEST)):
         yield unusual(_STEEP, "number", NOWHERE, slope, (-STEEPEST, STEEPEST))
 
@@ -411,6 +411,7 @@ def unusual(
 #: Dimensions of sizes that are compared over the width of the belt.
 _OVER_WIDTH = ("force", "mass_per_length")
 _MASS = "belt mass"
+_HEAPED = "material per length of belt"
 _LARGE, _STEEP = "motor power over required power", "conveyor lift over length"
 _WRAP = "wrap"
 _AT_RATING = "wrap pressure at the belt rating"
@@ -424,6 +425,7 @@ _CHECKED = {
     _RATIO: "belt.modulus and belt.rating: both per width",
     _MASS: "belt.mass: per length of belt",
     _LARGE: "rated_power of the motors, Te, belt speed",
+    _HEAPED: "capacity or material_mass of the conveyor, and belt.speed",
     _STEEP: "conveyor.lift and conveyor.length",
     _SAG: "idler_spacing, line_mass and share of [sag]",
 }

@@ -2818,10 +2818,10 @@ if (!$truth(numbers__usual(value, least, most))) {
 yield usual__unusual(name, dimension, $cb829, value, [least, most]);
 }
 }
-([load, slope] = [[$mul(0.7, $pow(width, 2)), $mul(700.0, $pow(width, 2))], (of.lift / of.length)]);
+([least, most] = (function* () { for (const end of $iter([0.7, 700.0])) { yield $b.float(("" + $format($mul(end, $pow(width, 2)), ("" + ".2g")))); } })());
+([load, slope] = [[least, most], (of.lift / of.length)]);
 if (!($truth(odd) || $truth(numbers__usual($bound(of, "material"), ...$iter(load))))) {
-(name = "material per length of belt");
-yield usual__unusual(name, "mass_per_length", $cb829, $bound(of, "material"), load);
+yield usual__unusual("material per length of belt", "mass_per_length", $cb829, $bound(of, "material"), load);
 }
 if (!($truth(odd) || $truth(numbers__usual(slope, $neg(0.5), 0.5)))) {
 yield usual__unusual("conveyor lift over length", "number", $cb829, slope, [$neg(0.5), 0.5]);
@@ -11934,7 +11934,7 @@ const $c4916 = ["kg m2", "t m2", "kg cm2"];
 const $c9fdd = ["kN m", "N m", "MN m"];
 const $cf51b = ["s", "min", "ms", "h"];
 const $c5787 = new Map([["length", $cad03], ["force", $c358b], ["force_per_width", $ccdcc], ["pressure", $c0321], ["speed", $ca69a], ["angle", $c0d79], ["power", $c3320], ["mass", $cf2ed], ["mass_per_length", $c172d], ["mass_flow", $c6e75], ["density", $cbfef], ["moment_of_inertia", $c4916], ["torque", $c9fdd], ["time", $cf51b]]);
-const $ca493 = new Map([["wrap pressure at the belt rating", "diameter and belt.rating"], ["belt strength over rating", "belt.strength and belt.rating: both per width"], ["belt modulus over rating", "belt.modulus and belt.rating: both per width"], ["belt mass", "belt.mass: per length of belt"], ["motor power over required power", "rated_power of the motors, Te, belt speed"], ["conveyor lift over length", "conveyor.lift and conveyor.length"], ["tension for sag", "idler_spacing, line_mass and share of [sag]"]]);
+const $ca493 = new Map([["wrap pressure at the belt rating", "diameter and belt.rating"], ["belt strength over rating", "belt.strength and belt.rating: both per width"], ["belt modulus over rating", "belt.modulus and belt.rating: both per width"], ["belt mass", "belt.mass: per length of belt"], ["motor power over required power", "rated_power of the motors, Te, belt speed"], ["material per length of belt", "capacity or material_mass of the conveyor, and belt.speed"], ["conveyor lift over length", "conveyor.lift and conveyor.length"], ["tension for sag", "idler_spacing, line_mass and share of [sag]"]]);
 const $cb829 = new Place("", "", "", "", "", null);
 const $cc9d1 = new Map([["shell_profile", 0.015], ["worn_depth", 0.025], ["build_up", 0.03]]);
 const $c6be2 = ["rated motor power", "power"];
