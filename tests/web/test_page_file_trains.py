@@ -295,7 +295,7 @@ def test_motors_far_too_large_are_asked_about_as_by_solve(chrome: Browser, tmp_p
     (asked,) = (c for c in verdict.missed if c.name == "usual_sizes")
     said = in_units(asked.text, "si")
     assert "is outside the usual" in said
-    assert "1.22" in in_units(asked.action_text, "si")
+    assert "rated_power" in in_units(asked.action_text, "si")
     assert wraparc("page", str(file), "-o", str(html))[0] == 0
     visitor = Visitor(chrome, html.as_uri(), offline=True)
     page = visitor.page

@@ -177,7 +177,8 @@ def meant_by(value: float, dimension: Dimension, least: float, most: float) -> l
     """Return what may have been meant by a value that is outside its usual range, at most two.
 
     The number as it was probably written, three digits at most, with another unit; of those that
-    mean one value the first, numbers below 1 or of four digits, centimetres and feet last.
+    mean one value the first, numbers below 1 or of four digits, centimetres and feet last,
+    and what is both only where nothing else is.
 
     Parameters
     ----------
@@ -199,8 +200,10 @@ def meant_by(value: float, dimension: Dimension, least: float, most: float) -> l
                 seldom = 2 * (unit in ("cm", "ft")) + (not 1.0 <= short < 1e3)
                 found.append((seldom, means, f"{short:g} {unit}"))
     texts = dict[str, str]()  # by the value that is meant
-    for _, means, text in sorted(found, key=lambda one: one[0]):
-        texts.setdefault(f"{means:.9g}", text)
+    found.sort(key=lambda one: one[0])
+    for seldom, means, text in found:
+        if seldom < 3 or not texts:
+            texts.setdefault(f"{means:.9g}", text)
     return list(texts.values())[:2]
 
 

@@ -2743,7 +2743,7 @@ if ((($eq(name, "wrap")) && (value > most))) {
 return new Check("usual_sizes", "Input plausibility", "ATTENTION", place, undefined, undefined, name, value, ((value > most) ? most : least), dimension, undefined, (value > most), headline, check__escaped(action), undefined, "implausible input", "sizes that conveyor drives have", undefined, undefined, undefined, false);
 }
 function parse__meant_by(value, dimension, least, most) {
-let _, found, means, number, seldom, short, text, texts, unit, units, written;
+let found, means, number, seldom, short, text, texts, unit, units, written;
 
 (found = []);
 (units = $m.get($c5787, dimension, []));
@@ -2762,8 +2762,11 @@ $m.append(found, [seldom, means, ("" + $format(short, ("" + "g")) + " " + $str(u
 }
 }
 (texts = $b.dict());
-for ([_, means, text] of $iter($b.sorted(found, $k({key: ((one) => $at(one, 0))})))) {
+found.splice(0, Infinity, ...$b.sorted(found, $k({key: ((one) => $at(one, 0))})));
+for ([seldom, means, text] of $iter(found)) {
+if (((seldom < 3) || !$truth(texts))) {
 $m.setdefault(texts, ("" + $format(means, ("" + ".9g"))), text);
+}
 }
 return $slice($b.list($m.values(texts)), null, 2);
 }
