@@ -61,7 +61,7 @@ def test_a_reload_before_the_address_is_written_loses_nothing(
     page.fill(T2, "72.5")
     page.reload()
     expect(page.locator(T2)).to_have_value("72.5")
-    visitor.load(other)
+    visitor.anew(lambda: visitor.load(other))
     expect(page.locator(T2)).to_have_value("64")
     page.reload()
     expect(page.locator(T2)).to_have_value("64")
