@@ -83,7 +83,7 @@ def test_comments_of_an_opened_file_stay_in_what_is_downloaded(
     file = tmp_path / "with-words.toml"
     file.write_text(text, "utf-8")
     page = visitor.open("drive")
-    visitor.load(file)
+    visitor.anew(lambda: visitor.load(file))
     expect(page.locator("#toast")).to_contain_text("Opened")
     page.fill("#f-pulley-0-exit_tension", "61.5")
     page.press("#f-pulley-0-exit_tension", "Tab")
