@@ -21,8 +21,8 @@ def test_everything_that_needs_no_solving_is_said() -> None:
     }  # fmt: skip
     text = verdict_words(told)
     for said in (
-        "Belt width 6000 mm is outside the usual 200 to 4000 mm. Check the unit of belt width: 6 "
-        "ft or 600 mm?",
+        "Belt width 6000 mm is outside the usual 200 to 4000 mm. Check the unit of belt width: 600 "
+        "mm or 6 ft?",
         "Pulley diameter 800 mm is below the belt minimum 1000 mm (head).",
         "Belt tension 4000 kN exceeds the 1050 kN rating (head, full).",
         "Wrap pressure 1670 kPa exceeds the tested 690 kPa (head, full).",
