@@ -127,3 +127,17 @@ def test_what_is_assumed_of_a_plant_is_marked_in_the_answer() -> None:
                     "--set", 'parameters=["friction", "belt_modulus"]')  # fmt: skip
     assert found.code == 2
     assert "contradicts belt_modulus in parameters" in found.err
+
+
+def test_a_trial_that_leaves_the_belt_slack_is_farther_off_than_any_drive() -> None:
+    """A search tries such steps; T1 of a brake with 3 times its torque would be below 0."""
+    station = next(s for s in BENCH.STATIONS if s.title == "fabric, braking")
+    record = BENCH.Record(station, BENCH.KINDS[1], seed=8, plant=True)
+    fit = Fit(record.problem())
+    slack = fit.start.copy()
+    slack[fit.names.index("effective_tension")] = log(3.0)
+    misfit = np.abs(fit.data_residuals(slack, []))
+    assert np.isfinite(misfit).all()
+    slips = fit.start.copy()
+    slips[fit.names.index("friction")] = log(0.02)  # cannot carry its load
+    assert misfit.min() > np.abs(fit.data_residuals(slips, [])).max()

@@ -24,7 +24,7 @@ from wraparc.calibrate.problem import (
     value_of,
     variable_of,
 )
-from wraparc.errors import MissingExtraError, input_error
+from wraparc.errors import InputError, MissingExtraError, input_error
 
 Solved = dict[State, ArcResult]
 
@@ -43,6 +43,8 @@ _KEPT = 64
 #: misfit of a trial at gross slip over the size of what was measured [-]: more than a drive that
 #: just carries its load creeps
 _GROSS_SLIP = 200.0
+#: Of a trial that is no drive, whose belt would be slack: more than of any at gross slip [-].
+_IMPOSSIBLE = 1e4
 
 
 class Fit:
@@ -81,6 +83,8 @@ class Fit:
                 del self._known[next(iter(self._known))]
             self._known[key] = self._solved(x)
         results = self._known[key]
+        if not results:
+            return self._impossible()
         values = self.values(x)
         zero, slope = values.get("speed_zero", 1.0), values.get("speed_by_torque", 1.0) - 1.0
         beyond = {name: 0.0 if r.status.solved else _beyond(r) for name, r in results.items()}
@@ -101,10 +105,24 @@ class Fit:
         return numbers, traces
 
     def _solved(self, x: Array) -> Solved:
+        """Return the arcs with parameters; none where a trial is no drive, such as a slack belt."""
         p, values = self.problem, self.values(x)
         drive = calibrated_drive(p.drive, p.pulley, values)
         errors = {name: values[name] for name in p.errors}
-        return {state: p.method.solve(arc_of(drive, p.pulley, state, errors)) for state in p.used}
+        try:
+            arcs = {state: arc_of(drive, p.pulley, state, errors) for state in p.used}
+        except InputError:
+            if np.array_equal(x, self.start):  # so is the drive that was given
+                raise
+            return {}
+        return {state: p.method.solve(arc) for state, arc in arcs.items()}
+
+    def _impossible(self) -> tuple[list[float], list[Array]]:
+        """Return what is farther from every measurement than any drive is."""
+        p = self.problem
+        numbers = [n.value + _IMPOSSIBLE * max(abs(n.value), n.sd) for n in p.numbers]
+        traces = [t.value + _IMPOSSIBLE * float(np.abs(t.value).max()) for t in p.traces]
+        return numbers, traces
 
     def offset(self, x: Array) -> float | None:
         """Offset e that the zero record shows with drum and wheel as stated [m], None without one.

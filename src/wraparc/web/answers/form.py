@@ -301,6 +301,8 @@ def _kind_name(path: str, kind: Kind) -> str:
 
 
 def _limits(kind: Kind) -> Data:
+    if isinstance(kind, Count):
+        return {"dimension": "number"}
     if not isinstance(kind, Quantity) or isinstance(kind, Slope):
         return {}
     limit, dimension = kind.limit, kind.dimension
