@@ -268,7 +268,7 @@ def chain(*drives: dict[str, Any]) -> dict[str, Any]:
 
 
 def circles(found: list[Any]) -> list[tuple[float, float]]:
-    return [(e["cx"], e["cy"]) for e in found if e["tag"] == "circle" and e.get("class") == "steel"]
+    return [(e["cx"], e["cy"]) for e in found if e.get("class") == "steel shell-ring"]
 
 
 def test_drums_say_which_side_of_the_belt_lies_on_them_where_they_differ() -> None:
@@ -297,7 +297,7 @@ def test_a_belt_runs_over_its_drums_in_alternate_senses() -> None:
     assert (x1, y1) == pytest.approx((0.0, 100.0))
     assert x2 < x1 - 200  # back, beyond the first drum
     assert y2 == pytest.approx(300.0)
-    widths = [float(e["stroke-width"]) for e in found if e.get("stroke") == "var(--ink)"]
+    widths = [float(e["stroke-width"]) for e in found if e.get("stroke") == "var(--belt)"]
     assert max(widths) == pytest.approx(12.0)
     assert min(widths) == pytest.approx(3 + 9 / 3, abs=0.1)
     wraps = [e for e in found if e["tag"] == "path" and "A100 100" in str(e.get("d"))]

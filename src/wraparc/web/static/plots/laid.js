@@ -1,4 +1,4 @@
-// Pulleys as the belt runs over them: one behind the other, turned in alternate senses; y goes down.
+// Pulleys as the belt runs over them: one behind the other, in alternate senses; y goes down.
 
 /** @typedef {[number, number]} Point */
 /** @template M @typedef {{m: M, centre: Point, from: number, sense: number, wrap: number,
@@ -63,7 +63,8 @@ function around(points) {
   return { x, y, w: Math.max(...xs) + 14 - x, h: Math.max(...ys) + 24 - y };
 }
 /** A piece of a wrap, as the commands of a path. @template M @param {Laid<M>} d
- * @param {number} r @param {number} a share of the wrap where it begins @param {number} b and ends */
+ * @param {number} r @param {number} a share of the wrap where it begins
+ * @param {number} b and ends */
 export function arcOf({ centre, from, sense, wrap }, r, a, b) {
   const [p, q] = [a, b].map((t) => placed(along(centre, from + sense * wrap * t, r)));
   const large = wrap * (b - a) > PI ? 1 : 0;

@@ -252,8 +252,9 @@ export class Face extends Component {
     const [u, f] = unit(dimensionOf(name));
     const [lu, lf] = unit("length");
     const degrees = (180 / Math.PI) * angle[Math.floor(most / position.length)];
+    const ends = `${digits(lo / f)} to ${digits(hi / f)} ${u}`;
     return (
-      `. ${titleOf(name)} over wrap angle and width: ${digits(lo / f)} to ${digits(hi / f)} ${u}, ` +
+      `. ${titleOf(name)} over wrap angle and width: ${ends}, ` +
       `most at ${digits(degrees, 3)} deg and ${digits(position[most % position.length] / lf, 3)} ` +
       `${lu} from the middle`
     );

@@ -52,10 +52,10 @@ export class OverWidth extends Component {
       `M${values.map((v, j) => `${X(position[j])} ${Y(v)}`).join("L")}`;
     const [lu, lf] = unit("length");
     const xs = ticks(-half / lf, half / lf, roundStep((2 * half) / lf, this.wide < 480 ? 4 : 6));
-    const told = courses.map(
-      (c) =>
-        `${c.label} ${digits(Math.min(...c.values), 3)} to ${digits(Math.max(...c.values), 3)} ${u}`,
-    );
+    const told = courses.map((c) => {
+      const ends = [Math.min(...c.values), Math.max(...c.values)].map((v) => digits(v, 3));
+      return `${c.label} ${ends.join(" to ")} ${u}`;
+    });
     const area = `${course(courses[0].values)}V${Y(Math.max(lo, 0))}H${X(position[0])}Z`;
     return h(
       "svg",

@@ -39,7 +39,8 @@ export function limitOf(a, name) {
     .find(Boolean);
   return bar?.at_most && bar.share ? bar.value / bar.share : 0;
 }
-/** The largest of each strip along the wrap. @param {any} a @param {string} name @returns {number[]} */
+/** The largest of each strip along the wrap. @param {any} a @param {string} name
+ * @returns {number[]} */
 const largestOf = (a, name) =>
   a.map.position.map((/** @type {number} */ _, /** @type {number} */ j) =>
     Math.max(...a.map[name].map((/** @type {number[]} */ row) => row[j])),
@@ -110,6 +111,7 @@ export function stripWords(a, j, name) {
   const value = show(short(largestOf(a, name)[j]), dimensionOf(name));
   const [fu, ff] = unit("force_per_width");
   const tensions = [p.entry_tension[j], p.exit_tension[j]].map((v) => digits(v / ff, 3));
-  const beside = `T1 ${tensions[0]}, T2 ${tensions[1]} ${fu}, lagging ${show(p.thickness[j], "length", 3)}`;
+  const lagging = show(p.thickness[j], "length", 3);
+  const beside = `T1 ${tensions[0]}, T2 ${tensions[1]} ${fu}, lagging ${lagging}`;
   return { place: show(position[j], "length", 3), value, beside };
 }
