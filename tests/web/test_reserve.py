@@ -73,8 +73,8 @@ def test_every_change_is_drawn_to_scale_and_pressed_where_a_key_makes_it(
 def test_a_press_sets_the_input_turns_the_level_and_is_undone(visitor: Visitor) -> None:
     # expected: the levels that the bars end in, on the verdict of the server
     page = shown(visitor, "head-drive-fabric")
-    level = page.locator("#verdict p .away")
-    expect(level).to_have_text("ATTENTION: ")
+    level = page.locator("#verdict p .level")
+    expect(level).to_have_text("ATTENTION:")
     for button, to, path, value in (
         ("Te", "FAILS", "#f-pulley-0-entry_tension", "168"),
         ("wrap", "FAILS", "#f-pulley-0-wrap_angle", "91.8"),
@@ -82,17 +82,17 @@ def test_a_press_sets_the_input_turns_the_level_and_is_undone(visitor: Visitor) 
         row = page.locator(".reserves li").filter(has=page.locator(f".n[title='{button}']"))
         row.locator("button.side").last.click()
         expect(page.locator(path)).to_have_value(value)
-        expect(level).to_have_text(f"{to}: ")
+        expect(level).to_have_text(f"{to}:")
         expect(page.locator("#toast")).to_contain_text(button)
         page.locator("#toast").get_by_role("button", name="Undo").click()
-        expect(level).to_have_text("ATTENTION: ")
+        expect(level).to_have_text("ATTENTION:")
         expect(page.locator(".reserves:not(.before) button").first).to_be_enabled()
     # by the keyboard as by the mouse
     page.locator(".reserves button").first.focus()
     page.keyboard.press("Enter")
-    expect(level).to_have_text("OK: ")
+    expect(level).to_have_text("OK:")
     page.click("#undo")
-    expect(level).to_have_text("ATTENTION: ")
+    expect(level).to_have_text("ATTENTION:")
 
 
 def test_what_is_drawn_of_a_drive_before_is_not_pressed(visitor: Visitor) -> None:
