@@ -110,6 +110,12 @@ def test_does_thicker_lagging_help(visitor: Visitor) -> None:
     visitor.example("Worn head drive, ROM conveyor")
     before = presses(page)
     visitor.open("across")
+    # one verdict, one action: that of the card is what was tried
+    tried = page.locator("#across .say .line", has_text="Action").first
+    expect(tried).to_contain_text("full-ceramic")
+    below = page.locator("#across-result .verdict .lines")
+    expect(below).to_contain_text("Use lagging full-ceramic")
+    expect(below).not_to_contain_text("Try an even pulley face")
     page.click("#ask-thickness")
     told = page.locator("#question-thickness .verdict .headline")
     expect(told).to_contain_text(re.compile(r"takes \d+ % off the unevenness .* creep by \+\d+ %"))

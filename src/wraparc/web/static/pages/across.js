@@ -89,12 +89,19 @@ export const Page = () => {
     a && stands(now(), result(a), questions(), tables(a)),
   );
 };
+/** What an answer says; where that of the whole drive says the same, with what was tried for it.
+ * @param {any} a */
+function saidOf(a) {
+  const whole = told() === "fresh" ? known()?.verdict : null;
+  const same = JSON.stringify(whole?.text) === JSON.stringify(a.verdict.text);
+  return whole && same ? { ...whole, sentences: a.verdict.sentences } : a.verdict;
+}
 /** @param {any} a */
 function result(a) {
   return h(
     "div",
     { key: "result", id: "across-result", "data-settled": String(!state.waiting) },
-    verdict(judgedIf(now(), a.verdict)),
+    verdict(judgedIf(now(), saidOf(a))),
     !a.solved && h("p", { class: "verdict bad", key: "failed" }, words(a.status_text)),
     list(a.remarks, "help"),
   );
