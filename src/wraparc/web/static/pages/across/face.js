@@ -3,8 +3,9 @@
 import { grasp, gripped } from "../../base/design.js";
 import { digits, dimensionOf, trim, unit } from "../../base/units.js";
 import { colour, shade } from "../../plots/ramp.js";
+import { Sized } from "../../plots/sized.js";
 import { fixed, fresh, roundStep, ticks } from "../../plots/svg.js";
-import { Component, createRef, h } from "../../vendor/preact.js";
+import { createRef, h } from "../../vendor/preact.js";
 import { Points } from "./editor.js";
 import { beltWidth, edgeText } from "./profile.js";
 import { faceOf, limitOf, SIDES, short, stripAt, titleOf } from "./width.js";
@@ -20,32 +21,15 @@ const ZONE = 74; // of the profile
 const FOOT = 34;
 const SHADES = 28;
 
-/** @extends {Component<FaceProps>} */
-export class Face extends Component {
-  box = createRef();
+/** @extends {Sized<FaceProps>} */
+export class Face extends Sized {
   svg = createRef();
   clip = fresh("face");
-  wide = 640;
-  high = 400;
   /** The scale stays while a point is held. @type {Ends | null} */
   held = null;
   dragged = -1;
-  /** @type {ResizeObserver | null} */
-  sized = null;
   /** @type {{of: any[], drawn: Children}} */
   kept = { of: [], drawn: null };
-  componentDidMount() {
-    this.sized = new ResizeObserver(([e]) => {
-      const [wide, high] = [e.contentRect.width, e.contentRect.height].map(Math.floor);
-      if (!wide || (wide === this.wide && high === this.high)) return;
-      Object.assign(this, { wide, high });
-      this.forceUpdate();
-    });
-    this.sized.observe(this.box.current);
-  }
-  componentWillUnmount() {
-    this.sized?.disconnect();
-  }
   get of() {
     return new Points(this.props.pulley, this.props.kind);
   }

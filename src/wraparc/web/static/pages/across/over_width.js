@@ -1,7 +1,8 @@
 // One quantity over the width, on the scale of the face above it.
 import { digits, trim, unit } from "../../base/units.js";
+import { Sized } from "../../plots/sized.js";
 import { fixed, roundStep, ticks } from "../../plots/svg.js";
-import { Component, createRef, h } from "../../vendor/preact.js";
+import { h } from "../../vendor/preact.js";
 import { coursesOf, halfOf, SIDES, stripAt } from "./width.js";
 
 /** @typedef {{answer: any, quantity: string, strip: number,
@@ -9,25 +10,9 @@ import { coursesOf, halfOf, SIDES, stripAt } from "./width.js";
 
 const [TOP, FOOT] = [12, 22];
 
-/** @extends {Component<OverProps>} */
-export class OverWidth extends Component {
-  box = createRef();
-  wide = 640;
+/** @extends {Sized<OverProps>} */
+export class OverWidth extends Sized {
   high = 140;
-  /** @type {ResizeObserver | null} */
-  sized = null;
-  componentDidMount() {
-    this.sized = new ResizeObserver(([e]) => {
-      const [wide, high] = [e.contentRect.width, e.contentRect.height].map(Math.floor);
-      if (!wide || (wide === this.wide && high === this.high)) return;
-      Object.assign(this, { wide, high });
-      this.forceUpdate();
-    });
-    this.sized.observe(this.box.current);
-  }
-  componentWillUnmount() {
-    this.sized?.disconnect();
-  }
   render() {
     return h("div", { class: "over-width", ref: this.box }, this.picture());
   }
