@@ -3,13 +3,15 @@
 Expected torques by hand: T F_U R (stiff lagging, no creep at constant friction: R - delta = R).
 """
 
+from dataclasses import replace
+
 import pytest
 
 from worded import check_words
 from wraparc.checks import Level, judge
 from wraparc.checks.check import Place
-from wraparc.checks.of_train import motor_load
-from wraparc.train import solve_train
+from wraparc.checks.of_train import motor_load, of_case
+from wraparc.train import TrainStatus, solve_train
 from wraparc.train.file import train_from_text
 from wraparc.units import Cell, in_units, quantity
 
@@ -116,3 +118,17 @@ def test_numbers_that_are_alike_are_told_in_few_digits() -> None:
     """No digit tells 8.2 rad/s from what differs in its fifteenth: 78.30 rpm of both."""
     alike = Cell(8.2, "rotation_speed", form="apart", other=8.2 + 1e-14)
     assert in_units(alike) == in_units(quantity(8.2, "rotation_speed"))
+
+
+def test_only_a_train_that_ends_at_a_motor_says_so() -> None:
+    """150 % of torque on a curve that ends at 120 %; what ends otherwise keeps its own words."""
+    train = train_from_text(DRIVE.format(kind="running", pull=100, breakdown=1.2))
+    case = solve_train(train, raise_on_failure=False).cases[-1]
+    for status, begins in (
+        (TrainStatus.BEYOND_MOTOR, "Motor torque 150 % exceeds 120 %, the end of its curve (head"),
+        (TrainStatus.UNSOLVED, "No solution"),
+    ):
+        found = of_case(train, replace(case, status=status))
+        check = next(c for c in found if c.name == "operating_point")
+        assert in_units(check.text).startswith(begins)
+        assert check.level is (Level.FAULT if begins == "No solution" else Level.FAILS)

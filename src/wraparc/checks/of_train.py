@@ -82,7 +82,9 @@ class Beyond(NamedTuple):
 
 
 def _beyond(case: CaseResult) -> Beyond | None:
-    """Return the first motor that would have to leave its curve."""
+    """Return the first motor that would have to leave its curve, of a train that ends at it."""
+    if case.status is not TrainStatus.BEYOND_MOTOR:
+        return None
     for member, motor in zip(case.members, _motors(case.case), strict=False):
         point, turns = member.motor, member.rotation_speed
         if not isinstance(motor, Motor) or point is None:

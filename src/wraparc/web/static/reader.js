@@ -2183,6 +2183,9 @@ return ($truth($b.isinstance(case_.division, Motors)) ? case_.division.motors : 
 function of_train___beyond(case_) {
 let end, high, low, member, motor, point, turns;
 
+if ((case_.status !== "No operating point: a motor would have to work outside its curve. Change its set speed or gear, or choose another motor.")) {
+return null;
+}
 for ([member, motor] of $iter($b.zip($bound(case_, "members"), of_train___motors($bound(case_, "case")), $k({strict: false})))) {
 ([point, turns] = [member.motor, member.rotation_speed]);
 if ((!$truth($b.isinstance(motor, Motor)) || (point == null))) {
